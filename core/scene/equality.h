@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/mesh.h"
+#include "core/light/luminaire.h"
+#include "core/photometry/intensity_distribution.h"
+#include "core/scene/scene.h"
+
+/// Equality of the scene's values, by content: what diff(), editBetween() and saving ask.
+/// Shared tables are compared by pointer first, then by content, so equal scenes that were loaded
+/// twice are equal. No tolerance: a value that was not edited is bit for bit the same.
+namespace soffit::scene {
+
+bool same(const photometry::IntensityDistribution& a, const photometry::IntensityDistribution& b);
+bool same(const Glass& a, const Glass& b);
+bool same(const geometry::Mesh& a, const geometry::Mesh& b);
+bool same(const light::Shape& a, const light::Shape& b);
+bool same(const light::Colour& a, const light::Colour& b);
+bool same(const light::Distribution& a, const light::Distribution& b);
+bool same(const Image& a, const Image& b);
+/// Everything but the name.
+bool sameReflectance(const Material& a, const Material& b);
+bool same(const Camera& a, const Camera& b);
+bool same(const WorkPlane& a, const WorkPlane& b);
+bool same(const View& a, const View& b);
+bool same(const Quality& a, const Quality& b);
+bool same(const light::Luminaire& a, const light::Luminaire& b);
+bool same(const LuminaireEdit& a, const LuminaireEdit& b);
+bool same(const Layout& a, const Layout& b);
+
+}  // namespace soffit::scene
