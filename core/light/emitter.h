@@ -37,6 +37,11 @@ struct Emitter {
   std::vector<dvec3> triangle_normals;
   std::vector<double> triangle_areas;
 
+  /// Triangulation of the outline (indices into it, facing `normal`); empty for other kinds.
+  std::vector<uvec3> outline_triangles;
+  /// Running sums of the areas of the mesh's or the outline's triangles; the last is `area`.
+  std::vector<double> area_sums;
+
   double area = 0.0;       ///< emitting area, m^2; 0 for a point
   double flux = 0.0;       ///< lumens at dimming 1
   double luminance = 0.0;  ///< cd/m^2, Lambertian shapes: flux / (pi area); else 0
