@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/math/vec.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+/// Visibility of area lights in light space: the light is a bit image, every blocker clears the
+/// bits it hides, for 16 receivers at once (Highway: SSE2 to AVX-512 chosen at run time).
+/// design.md section 3, steps 4 and 5.
+namespace soffit::light {
+
+/// A parallelogram origin + a u + b v, a and b in [0,1], sampled by 16 slanted rows of 32 bits:
+/// bit i of row j stands at a = (i + o_j)/32, b = (j + a)/16, o_j the van der Corput numbers.
+/// Slanted rows keep axis-parallel edges from aliasing with the rows.
+struct MaskLight {
+  static constexpr int kRows = 16;
+  static constexpr int kColumns = 32;
+  static constexpr int kCells = 16;  ///< 4 x 4 cells of 4 rows x 8 columns carry the weights
+
+  vec3 origin{0.0F}, u{1.0F, 0.0F, 0.0F}, v{0.0F, 1.0F, 0.0F};
+  vec3 normal{0.0F, 0.0F, -1.0F};       ///< emission side, unit
+  bool lambertian = true;               ///< weights carry the cosine at the light
+  std::array<std::uint32_t, kRows> outline{};  ///< bits inside the light's outline
+  std::array<vec3, kCells> cell_center{};
+  std::array<float, kCells> cell_count{};      ///< outline bits per cell
+
+  /// The place of bit i in row j.
+  [[nodiscard]] vec3 sample(int row, int column) const;
+  /// Sets cell_center and cell_count from the rest.
+  void finish();
+  /// Offset o_j of row j, in [0, 1).
+  static float rowOffset(int row);
+};
+
+/// A parallelogram light without outline (all bits set), finished.
+MaskLight makeMaskLight(const vec3& origin, const vec3& u, const vec3& v, const vec3& normal, bool lambertian);
+
+/// A blocker as the kernels take it: convex, planar, 3 to 5 corners, counter-clockwise seen from
+/// its front (n.x > d).
+struct MaskBlocker {
+  std::array<vec3, 5> corners{};
+  int count = 3;
+  vec3 normal{0.0F};
+  float d = 0.0F;
+  bool solid = false;  ///< hides only what lies behind its front
+};
+
+/// 16 receivers, structure of arrays.
+struct MaskReceivers {
+  const float *x, *y, *z, *nx, *ny, *nz;
+};
+
+/// Sums over the light for 16 receivers: visible and whole weight. V = visible / total; when
+/// total is 0 (no weight, yet light by the closed form) use plain_visible / plain_total.
+struct MaskSums {
+  alignas(64) std::array<float, 16> visible{};
+  alignas(64) std::array<float, 16> total{};
+  alignas(64) std::array<float, 16> plain_visible{};
+  alignas(64) std::array<float, 16> plain_total{};
+};
+
+/// Adds a parallelogram light's weights to `sums`. epsilon (m): receivers nearer than this to a
+/// blocker's plane are not hidden by it. Blockers must be clipped to the light's front.
+void addMaskVisibility(const MaskLight& light, std::span<const MaskBlocker> blockers, const MaskReceivers& receivers,
+                       float epsilon, MaskSums& sums);
+
+/// A light as points on its surface: any shape. weight: m^2 (or any measure); normal (0,0,0) where
+/// the emission has no cosine (measured photometry, point sources).
+struct PointLightSamples {
+  std::vector<float> x, y, z, nx, ny, nz, weight;
+  [[nodiscard]] std::size_t size() const { return x.size(); }
+};
+
+/// The same sums for a light made of points; blockers beyond a point do not hide it.
+void addPointVisibility(const PointLightSamples& points, std::span<const MaskBlocker> blockers,
+                        const MaskReceivers& receivers, float epsilon, MaskSums& sums);
+
+/// Closed-form E/L of a planar polygon (relative orientation as in polygonIrradiance) for 16
+/// receivers in double precision; `clipped` gets a bit per receiver whose horizon cuts the
+/// polygon: those values are not valid and are left to polygonIrradiance().
+void contourIrradiance16(std::span<const dvec3> outline, const MaskReceivers& receivers, double* value,
+                         std::uint32_t& clipped);
+
+/// The instruction set in use, for reports.
+const char* simdTargetName();
+
+}  // namespace soffit::light

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: MIT
+// Highway compiles this file once per instruction set and picks one at run time.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/light/mask_kernel.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+#include "core/light/light_mask.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+HWY_BEFORE_NAMESPACE();
+namespace soffit::light::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// 16 receivers are handled in pieces of at most 16 lanes.
+using D = hn::CappedTag<float, 16>;
+using DU = hn::RebindToUnsigned<D>;
+using V = hn::Vec<D>;
+using VU = hn::Vec<DU>;
+using M = hn::Mask<D>;
+constexpr D d;
+constexpr DU du;
+
+struct V3 {
+  V x, y, z;
+};
+
+HWY_INLINE V3 set3(const vec3& a) { return {hn::Set(d, a.x), hn::Set(d, a.y), hn::Set(d, a.z)}; }
+HWY_INLINE V3 sub(const V3& a, const V3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+HWY_INLINE V dot(const V3& a, const V3& b) { return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z))); }
+HWY_INLINE V3 cross(const V3& a, const V3& b) {
+  return {hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
+          hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
+}
+
+/// Which receivers a blocker can hide anything from, and the sign that turns v_k x v_k+1 inward.
+struct Facing {
+  M active;
+  V sign;
+  V height;
+};
+
+HWY_INLINE Facing facing(const MaskBlocker& blocker, const V3& p, float epsilon) {
+  const V height = hn::Sub(dot(set3(blocker.normal), p), hn::Set(d, blocker.d));
+  const V eps = hn::Set(d, epsilon);
+  const M front = hn::Gt(height, eps);
+  const M back = hn::Lt(height, hn::Neg(eps));
+  const M active = blocker.solid ? front : hn::Or(front, back);
+  // Counter-clockwise seen from the receiver: the cross products point out of the cone.
+  return {active, hn::IfThenElse(front, hn::Set(d, -1.0F), hn::Set(d, 1.0F)), height};
+}
+
+/// Row intervals of one edge: T_j = a + j b is the bound on the column, from below where e1 > 0.
+struct EdgeRows {
+  V lo_a, lo_b, hi_a, hi_b;
+};
+
+HWY_INLINE EdgeRows edgeRows(const V3& v, const vec3& edge, const V& sign, const V3& to_origin, const V3& lu,
+                             const V3& lv) {
+  const V3 m = cross(v, set3(edge));
+  const V c0 = hn::Mul(sign, dot(m, to_origin));
+  const V c1 = hn::Mul(sign, dot(m, lu));
+  const V c2 = hn::Mul(hn::Mul(sign, dot(m, lv)), hn::Set(d, 1.0F / MaskLight::kRows));
+  // Along a row f = (c0 + j c2) + a e1 with e1 = c1 + c2 (rows are slanted). A vanishing slope
+  // means the row is all in or all out: a bounded slope of either sign keeps that decision.
+  const V e1 = hn::Add(c1, c2);
+  const V least = hn::MulAdd(hn::Add(hn::Abs(c0), hn::Mul(hn::Abs(c2), hn::Set(d, 16.0F))), hn::Set(d, 1e-6F),
+                             hn::Set(d, 1e-30F));
+  const V slope = hn::CopySign(hn::Max(hn::Abs(e1), least), e1);
+  const V inverse = hn::Div(hn::Set(d, -static_cast<float>(MaskLight::kColumns)), slope);
+  const V a = hn::Mul(c0, inverse);
+  const V b = hn::Mul(c2, inverse);
+  const M rising = hn::Gt(slope, hn::Zero(d));
+  const V far = hn::Set(d, 1e9F);
+  return {hn::IfThenElse(rising, a, hn::Neg(far)), hn::IfThenElseZero(rising, b), hn::IfThenElse(rising, far, a),
+          hn::IfThenZeroElse(rising, b)};
+}
+
+template <int kEdges>
+HWY_INLINE void hideRows(const MaskBlocker& blocker, const V3& p, const Facing& side, const V3& to_origin,
+                         const V3& lu, const V3& lv, const float* offsets, VU* hidden) {
+  EdgeRows rows[kEdges];
+  for (int k = 0; k < kEdges; ++k) {
+    const vec3& q = blocker.corners[static_cast<std::size_t>(k)];
+    const vec3& next = blocker.corners[static_cast<std::size_t>((k + 1) % kEdges)];
+    rows[k] = edgeRows(sub(set3(q), p), next - q, side.sign, to_origin, lu, lv);
+  }
+  const V last = hn::Set(d, 31.0F);
+  const VU all = hn::Set(du, 0xffffffffU);
+  const hn::Rebind<std::int32_t, D> di;
+  for (int j = 0; j < MaskLight::kRows; ++j) {
+    const V row = hn::Set(d, static_cast<float>(j));
+    V lo = hn::Set(d, -1e9F);
+    V hi = hn::Set(d, 1e9F);
+    for (int k = 0; k < kEdges; ++k) {
+      lo = hn::Max(lo, hn::MulAdd(row, rows[k].lo_b, rows[k].lo_a));
+      hi = hn::Min(hi, hn::MulAdd(row, rows[k].hi_b, rows[k].hi_a));
+    }
+    const V offset = hn::Set(d, offsets[j]);
+    lo = hn::Ceil(hn::Max(hn::Sub(lo, offset), hn::Zero(d)));
+    hi = hn::Floor(hn::Min(hn::Sub(hi, offset), last));
+    // Empty intervals and receivers that are not concerned shift by counts in range and are cut.
+    const M some = hn::And(hn::Le(lo, hi), side.active);
+    const VU lo_count = hn::BitCast(du, hn::ConvertTo(di, hn::IfThenElseZero(some, lo)));
+    const VU hi_count = hn::BitCast(du, hn::ConvertTo(di, hn::IfThenElseZero(some, hn::Sub(last, hi))));
+    const VU bits = hn::And(hn::Shl(all, lo_count), hn::Shr(all, hi_count));
+    hidden[j] = hn::Or(hidden[j], hn::IfThenElseZero(hn::RebindMask(du, some), bits));
+  }
+}
+
+HWY_INLINE bool allHidden(const MaskLight& light, const VU* hidden) {
+  VU visible = hn::Zero(du);
+  for (int j = 0; j < MaskLight::kRows; ++j) {
+    visible = hn::Or(visible, hn::AndNot(hidden[j], hn::Set(du, light.outline[static_cast<std::size_t>(j)])));
+  }
+  return hn::AllTrue(du, hn::Eq(visible, hn::Zero(du)));
+}
+
+/// Set bits of each byte of a word.
+HWY_INLINE VU byteCounts(const VU& word) {
+#if HWY_TARGET == HWY_SCALAR
+  // No byte vectors here: the classic parallel sum within a word.
+  const VU pairs = hn::Sub(word, hn::And(hn::ShiftRight<1>(word), hn::Set(du, 0x55555555U)));
+  const VU fours = hn::Add(hn::And(pairs, hn::Set(du, 0x33333333U)),
+                           hn::And(hn::ShiftRight<2>(pairs), hn::Set(du, 0x33333333U)));
+  return hn::And(hn::Add(fours, hn::ShiftRight<4>(fours)), hn::Set(du, 0x0f0f0f0fU));
+#else
+  const hn::Repartition<std::uint8_t, DU> d8;
+  return hn::BitCast(du, hn::PopulationCount(hn::BitCast(d8, word)));
+#endif
+}
+
+HWY_INLINE void weighRows(const MaskLight& light, const V3& p, const V3& n, const VU* hidden, std::size_t lane,
+                          MaskSums& sums) {
+  V visible = hn::Zero(d);
+  V total = hn::Zero(d);
+  V plain = hn::Zero(d);
+  float plain_total = 0.0F;
+  for (int cy = 0; cy < 4; ++cy) {
+    VU packed = hn::Zero(du);  // four byte columns = the four cells of this band, at most 32 each
+    for (int j = 4 * cy; j < 4 * cy + 4; ++j) {
+      const VU seen = hn::AndNot(hidden[j], hn::Set(du, light.outline[static_cast<std::size_t>(j)]));
+      packed = hn::Add(packed, byteCounts(seen));
+    }
+    const hn::Rebind<std::int32_t, D> di;
+    for (int cx = 0; cx < 4; ++cx) {
+      const auto cell = static_cast<std::size_t>(4 * cy + cx);
+      if (light.cell_count[cell] == 0.0F) continue;
+      const VU shift = hn::Set(du, static_cast<std::uint32_t>(8 * cx));
+      const VU byte = hn::And(hn::Shr(packed, shift), hn::Set(du, 255U));
+      const V count = hn::ConvertTo(d, hn::BitCast(di, byte));
+      const V3 r = sub(set3(light.cell_center[cell]), p);
+      const V r2 = dot(r, r);
+      const V cos_p = hn::Max(dot(n, r), hn::Zero(d));
+      V weight;
+      if (light.lambertian) {
+        const V cos_l = hn::Max(hn::Neg(dot(set3(light.normal), r)), hn::Zero(d));
+        weight = hn::Div(hn::Mul(cos_p, cos_l), hn::Max(hn::Mul(r2, r2), hn::Set(d, 1e-30F)));
+      } else {
+        weight = hn::Div(cos_p, hn::Max(hn::Mul(r2, hn::Sqrt(r2)), hn::Set(d, 1e-30F)));
+      }
+      visible = hn::MulAdd(weight, count, visible);
+      total = hn::MulAdd(weight, hn::Set(d, light.cell_count[cell]), total);
+      plain = hn::Add(plain, count);
+      plain_total += light.cell_count[cell];
+    }
+  }
+  const auto add = [&](float* to, const V& value) { hn::StoreU(hn::Add(hn::LoadU(d, to + lane), value), d, to + lane); };
+  add(sums.visible.data(), visible);
+  add(sums.total.data(), total);
+  add(sums.plain_visible.data(), plain);
+  add(sums.plain_total.data(), hn::Set(d, plain_total));
+}
+
+void AddMask(const MaskLight& light, std::span<const MaskBlocker> blockers, const MaskReceivers& r, float epsilon,
+             MaskSums& sums) {
+  float offsets[MaskLight::kRows];
+  for (int j = 0; j < MaskLight::kRows; ++j) offsets[j] = MaskLight::rowOffset(j);
+  const V3 lu = set3(light.u);
+  const V3 lv = set3(light.v);
+  for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
+    const V3 p{hn::LoadU(d, r.x + lane), hn::LoadU(d, r.y + lane), hn::LoadU(d, r.z + lane)};
+    const V3 n{hn::LoadU(d, r.nx + lane), hn::LoadU(d, r.ny + lane), hn::LoadU(d, r.nz + lane)};
+    const V3 to_origin = sub(set3(light.origin), p);
+    VU hidden[MaskLight::kRows];
+    for (auto& row : hidden) row = hn::Zero(du);
+    int since_check = 0;
+    for (const MaskBlocker& blocker : blockers) {
+      const Facing side = facing(blocker, p, epsilon);
+      if (hn::AllFalse(d, side.active)) continue;
+      switch (blocker.count) {
+        case 3: hideRows<3>(blocker, p, side, to_origin, lu, lv, offsets, hidden); break;
+        case 4: hideRows<4>(blocker, p, side, to_origin, lu, lv, offsets, hidden); break;
+        default: hideRows<5>(blocker, p, side, to_origin, lu, lv, offsets, hidden); break;
+      }
+      if (++since_check == 4) {
+        since_check = 0;
+        if (allHidden(light, hidden)) break;
+      }
+    }
+    weighRows(light, p, n, hidden, lane, sums);
+  }
+}
+
+/// Half-spaces through p and a blocker's edges, and beyond its plane, for the point form.
+struct ConePlanes {
+  V3 m[6];
+  V c[6];
+  int count;
+};
+
+HWY_INLINE ConePlanes conePlanes(const MaskBlocker& blocker, const V3& p, const Facing& side) {
+  ConePlanes planes;
+  planes.count = blocker.count + 1;
+  for (int k = 0; k < blocker.count; ++k) {
+    const vec3& q = blocker.corners[static_cast<std::size_t>(k)];
+    const vec3& next = blocker.corners[static_cast<std::size_t>((k + 1) % blocker.count)];
+    V3 m = cross(sub(set3(q), p), set3(next - q));
+    m = {hn::Mul(m.x, side.sign), hn::Mul(m.y, side.sign), hn::Mul(m.z, side.sign)};
+    planes.m[k] = m;
+    planes.c[k] = hn::Neg(dot(m, p));
+  }
+  const V3 n = set3(blocker.normal);
+  planes.m[blocker.count] = {hn::Mul(n.x, side.sign), hn::Mul(n.y, side.sign), hn::Mul(n.z, side.sign)};
+  planes.c[blocker.count] = hn::Neg(hn::Mul(side.sign, hn::Set(d, blocker.d)));
+  return planes;
+}
+
+void AddPoints(const PointLightSamples& points, std::span<const MaskBlocker> blockers, const MaskReceivers& r,
+               float epsilon, MaskSums& sums) {
+  constexpr std::size_t kBlock = 128;
+  for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
+    const V3 p{hn::LoadU(d, r.x + lane), hn::LoadU(d, r.y + lane), hn::LoadU(d, r.z + lane)};
+    const V3 n{hn::LoadU(d, r.nx + lane), hn::LoadU(d, r.ny + lane), hn::LoadU(d, r.nz + lane)};
+    V visible = hn::Zero(d);
+    V total = hn::Zero(d);
+    V plain = hn::Zero(d);
+    float plain_total = 0.0F;
+    for (std::size_t start = 0; start < points.size(); start += kBlock) {
+      const std::size_t end = std::min(points.size(), start + kBlock);
+      VU hidden[kBlock / 32];
+      for (auto& word : hidden) word = hn::Zero(du);
+      for (const MaskBlocker& blocker : blockers) {
+        const Facing side = facing(blocker, p, epsilon);
+        if (hn::AllFalse(d, side.active)) continue;
+        const ConePlanes planes = conePlanes(blocker, p, side);
+        for (std::size_t k = start; k < end; ++k) {
+          const V3 x{hn::Set(d, points.x[k]), hn::Set(d, points.y[k]), hn::Set(d, points.z[k])};
+          V least = hn::Add(dot(planes.m[0], x), planes.c[0]);
+          for (int e = 1; e < planes.count; ++e) {
+            least = hn::Min(least, hn::Add(dot(planes.m[e], x), planes.c[e]));
+          }
+          const M inside = hn::And(side.active, hn::Gt(least, hn::Zero(d)));
+          const std::size_t bit = k - start;
+          hidden[bit / 32] = hn::Or(hidden[bit / 32], hn::IfThenElseZero(hn::RebindMask(du, inside),
+                                                                         hn::Set(du, 1U << (bit % 32))));
+        }
+      }
+      for (std::size_t k = start; k < end; ++k) {
+        const std::size_t bit = k - start;
+        const V3 x{hn::Set(d, points.x[k]), hn::Set(d, points.y[k]), hn::Set(d, points.z[k])};
+        const V3 to = sub(x, p);
+        const V r2 = dot(to, to);
+        const V cos_p = hn::Max(dot(n, to), hn::Zero(d));
+        V weight;
+        if (points.nx[k] == 0.0F && points.ny[k] == 0.0F && points.nz[k] == 0.0F) {
+          weight = hn::Div(cos_p, hn::Max(hn::Mul(r2, hn::Sqrt(r2)), hn::Set(d, 1e-30F)));
+        } else {
+          const V3 m{hn::Set(d, points.nx[k]), hn::Set(d, points.ny[k]), hn::Set(d, points.nz[k])};
+          const V cos_l = hn::Max(hn::Neg(dot(m, to)), hn::Zero(d));
+          weight = hn::Div(hn::Mul(cos_p, cos_l), hn::Max(hn::Mul(r2, r2), hn::Set(d, 1e-30F)));
+        }
+        weight = hn::Mul(weight, hn::Set(d, points.weight[k]));
+        const VU one = hn::Set(du, 1U << (bit % 32));
+        const auto seen = hn::RebindMask(d, hn::Eq(hn::And(hidden[bit / 32], one), hn::Zero(du)));
+        visible = hn::Add(visible, hn::IfThenElseZero(seen, weight));
+        total = hn::Add(total, weight);
+        plain = hn::Add(plain, hn::IfThenElseZero(seen, hn::Set(d, points.weight[k])));
+        plain_total += points.weight[k];
+      }
+    }
+    const auto add = [&](float* to, const V& value) {
+      hn::StoreU(hn::Add(hn::LoadU(d, to + lane), value), d, to + lane);
+    };
+    add(sums.visible.data(), visible);
+    add(sums.total.data(), total);
+    add(sums.plain_visible.data(), plain);
+    add(sums.plain_total.data(), hn::Set(d, plain_total));
+  }
+}
+
+void Contour(std::span<const dvec3> outline, const MaskReceivers& r, double* value, std::uint32_t& clipped) {
+  using DD = hn::CappedTag<double, 8>;
+  constexpr DD dd;
+  using VD = hn::Vec<DD>;
+  struct VD3 {
+    VD x, y, z;
+  };
+  clipped = 0;
+  const auto load = [&](const float* from, std::size_t lane) {
+    const hn::Rebind<float, DD> df;
+    return hn::PromoteTo(dd, hn::LoadU(df, from + lane));
+  };
+  const auto dot3 = [](const VD3& a, const VD3& b) {
+    return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+  };
+  for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(dd)) {
+    const VD3 p{load(r.x, lane), load(r.y, lane), load(r.z, lane)};
+    const VD3 n{load(r.nx, lane), load(r.ny, lane), load(r.nz, lane)};
+    const auto relative = [&](const dvec3& c) {
+      return VD3{hn::Sub(hn::Set(dd, c.x), p.x), hn::Sub(hn::Set(dd, c.y), p.y), hn::Sub(hn::Set(dd, c.z), p.z)};
+    };
+    VD3 a = relative(outline.back());
+    VD length_a = hn::Sqrt(dot3(a, a));
+    VD sum = hn::Zero(dd);
+    VD lowest = hn::Set(dd, 1e300);
+    VD highest = hn::Set(dd, -1e300);
+    for (const dvec3& corner : outline) {
+      const VD3 b = relative(corner);
+      const VD length_b = hn::Sqrt(dot3(b, b));
+      const VD height = dot3(n, b);
+      lowest = hn::Min(lowest, height);
+      highest = hn::Max(highest, height);
+      const VD3 c{hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
+                  hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
+      const VD s = hn::Sqrt(dot3(c, c));
+      // tan(g/2) = s / (|a||b| + a.b); s = 0 contributes nothing.
+      const VD t = hn::Div(s, hn::MulAdd(length_a, length_b, dot3(a, b)));
+      const VD g = hn::Mul(hn::Set(dd, 2.0), hn::Atan(dd, t));
+      const VD term = hn::Div(hn::Mul(g, dot3(n, c)), s);
+      sum = hn::Sub(sum, hn::IfThenElseZero(hn::Gt(s, hn::Zero(dd)), term));
+      a = b;
+      length_a = length_b;
+    }
+    const VD e = hn::IfThenElseZero(hn::Gt(highest, hn::Zero(dd)),
+                                    hn::Max(hn::Mul(sum, hn::Set(dd, 0.5)), hn::Zero(dd)));
+    hn::StoreU(e, dd, value + lane);
+    const auto cut = hn::And(hn::Le(lowest, hn::Zero(dd)), hn::Gt(highest, hn::Zero(dd)));
+    double flags[8];
+    hn::StoreU(hn::IfThenElseZero(cut, hn::Set(dd, 1.0)), dd, flags);
+    for (std::size_t i = 0; i < hn::Lanes(dd); ++i) {
+      if (flags[i] != 0.0) clipped |= 1U << (lane + i);
+    }
+  }
+}
+
+const char* TargetName() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace soffit::light::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace soffit::light {
+
+HWY_EXPORT(AddMask);
+HWY_EXPORT(AddPoints);
+HWY_EXPORT(Contour);
+HWY_EXPORT(TargetName);
+
+void addMaskVisibility(const MaskLight& light, std::span<const MaskBlocker> blockers, const MaskReceivers& receivers,
+                       float epsilon, MaskSums& sums) {
+  HWY_DYNAMIC_DISPATCH(AddMask)(light, blockers, receivers, epsilon, sums);
+}
+
+void addPointVisibility(const PointLightSamples& points, std::span<const MaskBlocker> blockers,
+                        const MaskReceivers& receivers, float epsilon, MaskSums& sums) {
+  HWY_DYNAMIC_DISPATCH(AddPoints)(points, blockers, receivers, epsilon, sums);
+}
+
+void contourIrradiance16(std::span<const dvec3> outline, const MaskReceivers& receivers, double* value,
+                         std::uint32_t& clipped) {
+  HWY_DYNAMIC_DISPATCH(Contour)(outline, receivers, value, clipped);
+}
+
+const char* simdTargetName() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }
+
+}  // namespace soffit::light
+#endif

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+#include "core/light/prepared_light.h"
+
+#include "core/light/emitter_sampling.h"
+#include "core/light/polygon_irradiance.h"
+#include "core/math/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace soffit::light {
+namespace {
+
+/// Lambertian meshes of at most this many triangles are summed in closed form.
+constexpr std::size_t kExactTriangles = 48;
+
+/// Even-odd test of a point in the plane coordinates of an outline.
+bool insideOutline(std::span<const dvec2> outline, const dvec2& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+    const dvec2& a = outline[i];
+    const dvec2& b = outline[j];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) inside = !inside;
+  }
+  return inside;
+}
+
+/// The parallelogram that bounds a planar emitter, along its longest edge.
+struct Frame {
+  dvec3 origin, u, v;
+};
+
+Frame boundingFrame(const Emitter& e) {
+  if (e.disk) {
+    dvec3 t;
+    dvec3 b;
+    orthonormalBasis(e.normal, t, b);
+    return {e.position - e.radius * (t + b), 2.0 * e.radius * t, 2.0 * e.radius * b};
+  }
+  dvec3 along(0.0);
+  for (std::size_t i = 0; i < e.outline.size(); ++i) {
+    const dvec3 edge = e.outline[(i + 1) % e.outline.size()] - e.outline[i];
+    if (glm::dot(edge, edge) > glm::dot(along, along)) along = edge;
+  }
+  const dvec3 t = glm::normalize(along);
+  const dvec3 b = glm::cross(e.normal, t);
+  dvec2 lo(1e300);
+  dvec2 hi(-1e300);
+  for (const dvec3& c : e.outline) {
+    const dvec2 q(glm::dot(c - e.outline[0], t), glm::dot(c - e.outline[0], b));
+    lo = glm::min(lo, q);
+    hi = glm::max(hi, q);
+  }
+  return {e.outline[0] + lo.x * t + lo.y * b, (hi.x - lo.x) * t, (hi.y - lo.y) * b};
+}
+
+void setOutlineBits(const Emitter& e, MaskLight& mask) {
+  dvec3 t;
+  dvec3 b;
+  orthonormalBasis(e.normal, t, b);
+  std::vector<dvec2> flat;
+  for (const dvec3& c : e.outline) flat.emplace_back(glm::dot(c - e.position, t), glm::dot(c - e.position, b));
+  for (int j = 0; j < MaskLight::kRows; ++j) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < MaskLight::kColumns; ++i) {
+      const dvec3 d = dvec3(mask.sample(j, i)) - e.position;
+      const dvec2 q(glm::dot(d, t), glm::dot(d, b));
+      const bool in = e.disk ? glm::dot(q, q) <= e.radius * e.radius : insideOutline(flat, q);
+      if (in) bits |= 1U << static_cast<unsigned>(i);
+    }
+    mask.outline[static_cast<std::size_t>(j)] = bits;
+  }
+}
+
+bool isParallelogram(const Emitter& e, const Frame& f) {
+  if (e.disk || e.outline.size() != 4) return false;
+  return std::abs(e.area - glm::length(glm::cross(f.u, f.v))) <= 1e-9 * e.area;
+}
+
+/// N points by area, low-discrepancy; `weight` shares the area evenly.
+PointLightSamples samplesByArea(const Emitter& e, int count) {
+  PointLightSamples s;
+  for (int i = 0; i < count; ++i) {
+    const dvec2 u = count == 1 ? dvec2(0.5) : r2Sequence(static_cast<std::uint32_t>(i));
+    const EmitterSample sample = sampleByArea(e, u);
+    s.x.push_back(static_cast<float>(sample.point.x));
+    s.y.push_back(static_cast<float>(sample.point.y));
+    s.z.push_back(static_cast<float>(sample.point.z));
+    // Without a cosine at the light (measured photometry, point sources) the normal is zero.
+    const bool cosine = e.lambertian && e.kind != EmitterKind::point;
+    s.nx.push_back(cosine ? static_cast<float>(sample.normal.x) : 0.0F);
+    s.ny.push_back(cosine ? static_cast<float>(sample.normal.y) : 0.0F);
+    s.nz.push_back(cosine ? static_cast<float>(sample.normal.z) : 0.0F);
+    s.weight.push_back(static_cast<float>((e.kind == EmitterKind::point ? 1.0 : e.area) / count));
+  }
+  return s;
+}
+
+double sampledIlluminance(const Emitter& e, const PointLightSamples& s, const dvec3& p, const dvec3& n) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < s.size(); ++k) {
+    const dvec3 to = dvec3(s.x[k], s.y[k], s.z[k]) - p;
+    const double r2 = glm::dot(to, to);
+    const double cos_p = glm::dot(n, to);
+    if (cos_p <= 0.0 || r2 <= 0.0) continue;
+    const double r = std::sqrt(r2);
+    const dvec3 w = to / -r;
+    const double intensity = e.kind == EmitterKind::point
+                                 ? e.pointIntensity(w)
+                                 : e.intensityPerArea(dvec3(s.nx[k], s.ny[k], s.nz[k]), w) * s.weight[k];
+    sum += intensity * cos_p / (r2 * r);
+  }
+  return sum;
+}
+
+/// Lambertian shapes (not points): the closed form, lux at dimming 1.
+double closedForm(const Emitter& e, const dvec3& p, const dvec3& n) {
+  switch (e.kind) {
+    case EmitterKind::planar:
+      if (glm::dot(p - (e.disk ? e.position : e.outline[0]), e.normal) <= 0.0) return 0.0;
+      return e.luminance *
+             (e.disk ? diskIrradiance(e.position, e.normal, e.radius, p, n) : polygonIrradiance(e.outline, p, n));
+    case EmitterKind::sphere: return e.luminance * sphereIrradiance(e.position, e.radius, p, n);
+    case EmitterKind::tube:
+      return e.luminance * tubeIrradiance(e.position, e.axis, e.half_length, e.radius, p, n);
+    case EmitterKind::mesh: {
+      double sum = 0.0;
+      for (std::size_t t = 0; t < e.triangle_areas.size(); ++t) {
+        const std::span<const dvec3> corners(e.corners.data() + 3 * t, 3);
+        if (glm::dot(p - corners[0], e.triangle_normals[t]) > 0.0) sum += polygonIrradiance(corners, p, n);
+      }
+      return e.luminance * sum;
+    }
+    case EmitterKind::point: break;
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+PreparedLight::PreparedLight(const Emitter& emitter) : emitter_(emitter) {
+  const Emitter& e = emitter_;
+  switch (e.kind) {
+    case EmitterKind::planar:
+      // Light to both sides has no single front to clip blockers at: points handle it.
+      form_ = e.twoSided() ? Form::points : Form::planar;
+      break;
+    case EmitterKind::sphere:
+    case EmitterKind::tube: form_ = e.lambertian ? Form::facing : Form::points; break;
+    case EmitterKind::point:
+    case EmitterKind::mesh: form_ = Form::points; break;
+  }
+  exact_ = e.lambertian && (e.kind == EmitterKind::planar || e.kind == EmitterKind::sphere ||
+                            e.kind == EmitterKind::tube ||
+                            (e.kind == EmitterKind::mesh && e.triangle_areas.size() <= kExactTriangles));
+  if (form_ == Form::planar) preparePlanar();
+  if (form_ == Form::points) prepareSamples();
+}
+
+void PreparedLight::preparePlanar() {
+  const Frame f = boundingFrame(emitter_);
+  const bool whole = isParallelogram(emitter_, f);
+  const double lu = glm::length(f.u);
+  const double lv = glm::length(f.v);
+  cell_diagonal_ = static_cast<float>(0.25 * std::sqrt(lu * lu + lv * lv));
+  for (int level = 0; level < kLevels; ++level) {
+    const double cell = std::max(lu, lv) / (1 << level);
+    const int nu = std::max(1, static_cast<int>(std::ceil(lu / cell - 1e-6)));
+    const int nv = std::max(1, static_cast<int>(std::ceil(lv / cell - 1e-6)));
+    for (int j = 0; j < nv; ++j) {
+      for (int i = 0; i < nu; ++i) {
+        MaskLight mask = makeMaskLight(vec3(f.origin + f.u * (1.0 * i / nu) + f.v * (1.0 * j / nv)),
+                                       vec3(f.u / (1.0 * nu)), vec3(f.v / (1.0 * nv)), vec3(emitter_.normal), true);
+        if (!whole) {
+          setOutlineBits(emitter_, mask);
+          mask.finish();
+        }
+        masks_[static_cast<std::size_t>(level)].push_back(mask);
+      }
+    }
+  }
+}
+
+void PreparedLight::prepareSamples() {
+  for (int level = 0; level < kSampleLevels; ++level) {
+    const int count = emitter_.kind == EmitterKind::point ? 1 : 1 << (2 * level);
+    samples_[static_cast<std::size_t>(level)] = samplesByArea(emitter_, count);
+  }
+}
+
+int PreparedLight::maskLevel(float distance) const {
+  float cell = cell_diagonal_;
+  int level = 0;
+  while (level + 1 < kLevels && cell > 0.5F * distance) {
+    cell *= 0.5F;
+    ++level;
+  }
+  return level;
+}
+
+int PreparedLight::sampleLevel(float distance) const {
+  if (emitter_.kind == EmitterKind::point) return 0;
+  // One point errs by about (size/distance)^2/8; every level halves the size of a cell. Curved and
+  // Lambertian shapes turn away from the receiver: they want more points to begin with.
+  const float size = emitter_.bounds.diagonal();
+  int level = emitter_.lambertian ? 3 : 0;
+  float reach = 8.0F * size;
+  if (emitter_.lambertian) reach = 3.0F * size;
+  while (level + 1 < kSampleLevels && distance < reach) {
+    reach *= 0.5F;
+    ++level;
+  }
+  return level;
+}
+
+MaskLight PreparedLight::facing(const vec3& eye) const {
+  const vec3 center(emitter_.position);
+  const auto radius = static_cast<float>(emitter_.radius);
+  if (emitter_.kind == EmitterKind::sphere) {
+    // The circle where the tangent cone from `eye` touches the sphere.
+    const vec3 to = eye - center;
+    const float distance = std::max(glm::length(to), radius * 1.001F);
+    const vec3 n = to / std::max(glm::length(to), 1e-12F);
+    const float share = radius / distance;
+    const float rim = radius * std::sqrt(1.0F - share * share);
+    const vec3 middle = center + n * (radius * share);
+    vec3 t;
+    vec3 b;
+    orthonormalBasis(n, t, b);
+    MaskLight mask = makeMaskLight(middle - rim * (t + b), 2.0F * rim * t, 2.0F * rim * b, n, true);
+    for (int j = 0; j < MaskLight::kRows; ++j) {
+      std::uint32_t bits = 0;
+      for (int i = 0; i < MaskLight::kColumns; ++i) {
+        const vec3 d = mask.sample(j, i) - middle;
+        if (glm::dot(d, d) <= rim * rim) bits |= 1U << static_cast<unsigned>(i);
+      }
+      mask.outline[static_cast<std::size_t>(j)] = bits;
+    }
+    mask.finish();
+    return mask;
+  }
+  // Tube: the rectangle between its two tangent lines.
+  const vec3 axis(emitter_.axis);
+  const vec3 d = eye - center;
+  vec3 radial = d - glm::dot(d, axis) * axis;
+  const float rho = std::max(glm::length(radial), radius * 1.001F);
+  radial /= std::max(glm::length(radial), 1e-12F);
+  const float share = radius / rho;
+  const float rim = radius * std::sqrt(1.0F - share * share);
+  const vec3 side = glm::cross(axis, radial);
+  const auto half = static_cast<float>(emitter_.half_length);
+  const vec3 middle = center + radial * (radius * share);
+  return makeMaskLight(middle - half * axis - rim * side, 2.0F * half * axis, 2.0F * rim * side, radial, true);
+}
+
+void PreparedLight::unoccluded(const MaskReceivers& r, float distance, double* lux) const {
+  const Emitter& e = emitter_;
+  if (exact_ && e.kind == EmitterKind::planar && !e.disk) {
+    std::uint32_t clipped = 0;
+    contourIrradiance16(e.outline, r, lux, clipped);
+    for (std::uint32_t i = 0; i < 16; ++i) {
+      const dvec3 p(r.x[i], r.y[i], r.z[i]);
+      if (glm::dot(p - e.outline[0], e.normal) <= 0.0) {
+        lux[i] = 0.0;
+      } else if ((clipped >> i & 1U) != 0U) {
+        lux[i] = e.luminance * polygonIrradiance(e.outline, p, dvec3(r.nx[i], r.ny[i], r.nz[i]));
+      } else {
+        lux[i] *= e.luminance;
+      }
+    }
+    return;
+  }
+  const PointLightSamples& s = samples_[static_cast<std::size_t>(sampleLevel(distance))];
+  for (std::uint32_t i = 0; i < 16; ++i) {
+    const dvec3 p(r.x[i], r.y[i], r.z[i]);
+    const dvec3 n(r.nx[i], r.ny[i], r.nz[i]);
+    lux[i] = exact_ ? closedForm(e, p, n) : sampledIlluminance(e, s, p, n);
+  }
+}
+
+double unoccludedIlluminance(const Emitter& e, const dvec3& p, const dvec3& n) {
+  if (e.lambertian && e.kind != EmitterKind::point) return closedForm(e, p, n);
+  if (e.kind == EmitterKind::point) return sampledIlluminance(e, samplesByArea(e, 1), p, n);
+  double last = sampledIlluminance(e, samplesByArea(e, 64), p, n);
+  for (int count = 256; count <= 65536; count *= 4) {
+    const double now = sampledIlluminance(e, samplesByArea(e, count), p, n);
+    if (std::abs(now - last) <= 1e-6 * std::abs(now)) return now;
+    last = now;
+  }
+  return last;
+}
+
+}  // namespace soffit::light
