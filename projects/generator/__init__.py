@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Makes Soffit's sample projects; see projects/README.md."""
