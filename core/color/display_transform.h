@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/result.h"
+#include "core/math/vec.h"
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace soffit::color {
+
+/// The name of the view that shows illuminance (interfaces.md, View). Its transform takes the
+/// place in the legend's range instead of a luminance: see false_color.h.
+inline constexpr const char* kFalseColorView = "False colour";
+
+/// What a picture is looked at through. Empty `config`: findDisplayConfig().
+struct DisplayChoice {
+  std::filesystem::path config;
+  std::string display = "sRGB";
+  std::string view = "Filmic";
+  std::string look;  ///< empty: none
+};
+
+/// A view transform of OpenColorIO, ready to run. Immutable, cheap to copy, usable from any thread.
+///
+/// Takes scene-linear Rec.709 relative to 100 cd/m^2, exposure applied (exposure.h), and gives
+/// code values of the display, 0..1.
+class DisplayTransform {
+ public:
+  /// Errors: no config, unreadable config, a display, view or look that it lacks.
+  static Result<DisplayTransform> create(const DisplayChoice& choice);
+
+  /// In place, on all threads. Never gives NaN: what is not a number or negative counts as black,
+  /// what is infinite as the brightest white. Results are within 0..1.
+  void apply(std::span<vec3> pixels) const;
+
+  /// cd/m^2 to code values at an exposure in EV; out.size() == radiance.size().
+  void apply(std::span<const vec3> radiance, double exposure_ev, std::span<vec3> out) const;
+
+ private:
+  struct Impl;
+  std::shared_ptr<const Impl> impl_;
+};
+
+}  // namespace soffit::color

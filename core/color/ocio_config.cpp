@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "core/color/ocio_config.h"
+
+#include <OpenColorIO/OpenColorIO.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <system_error>
+
+namespace soffit::color {
+namespace {
+
+namespace ocio = OCIO_NAMESPACE;
+
+const ocio::Config& configOf(const OcioConfig& config) {
+  return *static_cast<const ocio::Config*>(config.config.get());
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+Error unknown(const OcioConfig& config, const char* kind, const std::string& name,
+              const std::vector<std::string>& known) {
+  const std::string list =
+      known.empty() ? "It has none." : fmt::format("It has: {}.", fmt::join(known, ", "));
+  return {config.path, fmt::format("the OCIO config has no {} \"{}\"", kind, name), list};
+}
+
+}  // namespace
+
+Result<OcioConfig> loadConfig(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) {
+    return Error{path.string(), "the OCIO config does not exist",
+                 "Unset $OCIO to use Soffit's own, or let it name a config.ocio."};
+  }
+  try {
+    ocio::SetLoggingLevel(ocio::LOGGING_LEVEL_NONE);  // a library of ours does not print
+    ocio::ConstConfigRcPtr config = ocio::Config::CreateFromFile(path.string().c_str());
+    return OcioConfig{config, path.string()};
+  } catch (const std::exception& e) {
+    return Error{path.string(), fmt::format("the OCIO config cannot be read ({})", e.what()),
+                 "Unset $OCIO to use Soffit's own."};
+  }
+}
+
+Result<std::vector<std::string>> viewNames(const OcioConfig& config, const std::string& display) {
+  const ocio::Config& c = configOf(config);
+  std::vector<std::string> displays;
+  for (int i = 0; i < c.getNumDisplays(); ++i) displays.emplace_back(c.getDisplay(i));
+  if (!contains(displays, display)) return unknown(config, "display", display, displays);
+  std::vector<std::string> views;
+  for (int i = 0; i < c.getNumViews(display.c_str()); ++i) {
+    views.emplace_back(c.getView(display.c_str(), i));
+  }
+  return views;
+}
+
+Result<void> checkView(const OcioConfig& config, const std::string& display,
+                       const std::string& view, const std::string& look) {
+  const auto views = viewNames(config, display);
+  if (!views) return views.error();
+  if (!contains(*views, view)) return unknown(config, "view", view, *views);
+  if (look.empty()) return {};
+  std::vector<std::string> looks;
+  for (int i = 0; i < configOf(config).getNumLooks(); ++i) {
+    looks.emplace_back(configOf(config).getLookNameByIndex(i));
+  }
+  if (!contains(looks, look)) return unknown(config, "look", look, looks);
+  return {};
+}
+
+}  // namespace soffit::color

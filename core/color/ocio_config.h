@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/result.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// OpenColorIO's objects behind opaque handles, for the sources of this module.
+namespace soffit::color {
+
+/// A loaded config. The pointee is an OpenColorIO::Config.
+struct OcioConfig {
+  std::shared_ptr<const void> config;
+  std::string path;
+};
+
+/// Errors: missing or malformed file (OCIO's own words, on one line).
+Result<OcioConfig> loadConfig(const std::filesystem::path& path);
+
+/// Errors: a display that the config lacks; names those it has.
+Result<std::vector<std::string>> viewNames(const OcioConfig& config, const std::string& display);
+
+/// Errors: as viewNames(); a view or look that the config lacks; names those it has.
+Result<void> checkView(const OcioConfig& config, const std::string& display,
+                       const std::string& view, const std::string& look);
+
+}  // namespace soffit::color
