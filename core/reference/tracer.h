@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/math/rng.h"
+#include "core/reference/bsdf.h"
+#include "core/reference/light_choice.h"
+#include "core/reference/light_sampling.h"
+#include "core/reference/quantity.h"
+#include "core/reference/reference_scene.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace soffit::reference {
+
+/// Means over a set of paths, RGB lux, and the rays that they took.
+struct Tally {
+  dvec3 direct{0.0};    ///< without reflection
+  dvec3 indirect{0.0};  ///< after at least one
+  std::uint64_t rays = 0;
+};
+
+/// Traces paths backwards from one sensor, many at a time (rays of one bounce in one packet run).
+///
+/// At every vertex one luminaire is chosen and sampled; the next ray counts the luminaires that it
+/// crosses as well. Both are weighted by the balance heuristic over area densities: an emitting
+/// surface that is met with density p_a by choosing points and p_b by following the surface's (or
+/// the sensor's) own directions contributes f I cos / (d^2 (p_a + p_b)) either way, so that
+/// neither a near emitter nor a sharp reflection gives rare bright samples. Mirrors follow the ray
+/// alone. Russian roulette by the albedo from the second bounce on; no bound on the bounces.
+class Tracer {
+ public:
+  /// origin: where rays start (placeSensors()). The scene must outlive the tracer.
+  Tracer(const ReferenceScene& scene, const dvec3& origin, const Response& response);
+
+  /// The mean of `paths` paths; best a power of two. The same seed gives the same paths, different
+  /// seeds independent ones.
+  Tally run(std::uint32_t paths, std::uint64_t seed);
+
+ private:
+  struct Path {
+    std::uint32_t index;
+    dvec3 origin;     ///< of the next ray: the last vertex
+    dvec3 normal;     ///< there; the zero vector for sensors without a horizon
+    dvec3 direction;  ///< of the next ray, unit
+    dvec3 beta;       ///< what radiance along the ray is multiplied by
+    double density;   ///< of the direction, per steradian; 0: mirror
+  };
+  struct Shadow {
+    dvec3 origin;
+    dvec3 point;
+    dvec3 normal;
+    std::uint32_t light;
+    dvec3 light_sent;  ///< what arrives if nothing is in the way
+  };
+
+  /// Black bodies along a ray: whose is nearest, and the distance to the next one of another.
+  struct NearestBodies {
+    std::size_t light = ~std::size_t{0};
+    double t = kInfinity;
+    double t_second = kInfinity;
+  };
+
+  void start(std::uint32_t paths);
+  void traceShadows();
+  void traceRays();
+  [[nodiscard]] NearestBodies nearestBodies(const Path& path, double t_surface) const;
+  void gatherEmission(const Path& path, double t_surface, const NearestBodies& bodies);
+  void gatherCrossing(const Path& path, std::size_t light, const Crossing& crossing);
+  void reflect(const Path& path, const geometry::Hit& hit);
+  void sendShadow(const dvec3& y, const LightChoice& choice, const dvec3& u, const Bsdf* bsdf,
+                  const dvec3& wo, const dvec3& beta);
+  [[nodiscard]] bool bodyBetween(const Shadow& shadow) const;
+  [[nodiscard]] dvec3 draw(std::uint32_t path, std::uint32_t vertex, std::uint32_t group);
+  [[nodiscard]] dvec3& bin() { return depth_ == 0 ? direct_ : indirect_; }
+
+  const ReferenceScene& scene_;
+  dvec3 origin_;
+  Response response_;
+  LightChoice sensor_choice_;
+  LightChoice choice_;
+  std::vector<Path> paths_;
+  std::vector<Path> next_;
+  std::vector<Shadow> shadows_;
+  std::vector<geometry::Ray> rays_;
+  std::vector<geometry::Hit> hits_;
+  std::vector<std::uint8_t> blocked_;
+  std::vector<Crossing> crossings_;
+  Rng rng_{0};
+  std::uint64_t seed_ = 0;
+  std::uint32_t depth_ = 0;  ///< reflections so far
+  dvec3 direct_{0.0};
+  dvec3 indirect_{0.0};
+  std::uint64_t ray_count_ = 0;
+};
+
+}  // namespace soffit::reference
