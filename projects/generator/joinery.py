@@ -45,6 +45,19 @@ def door(width, height, recess):
     return [("door_frame", lining), ("door", leaf)] + handle(w - 0.09, recess - 0.035)
 
 
+def double_door(width, height, recess):
+    """Two leaves with bar handles in a recess, closed."""
+    pieces = []
+    for side in (-1, 1):
+        inner, outer = sorted((side * 0.003, side * (width / 2 + 0.002)))
+        pieces.append(("door", box((inner, recess - 0.05, 0.006), (outer, recess + 0.003, height + 0.002))))
+        x = side * 0.09
+        pieces.append(("steel", box((x - 0.012, recess - 0.11, 0.85), (x + 0.012, recess - 0.09, 1.55))))
+        for z in (0.95, 1.45):
+            pieces.append(("steel", box((x - 0.008, recess - 0.095, z - 0.008), (x + 0.008, recess - 0.048, z + 0.008))))
+    return pieces
+
+
 def handle(x, y):
     """A lever handle on a leaf whose face is at y."""
     return [("steel", box((x - 0.02, y - 0.008, 0.95), (x + 0.02, y + 0.002, 1.15))),

@@ -28,6 +28,8 @@ class Model:
         with open(path.with_name(mtl_name), "w", encoding="ascii", newline="\n") as out:
             for name in sorted({material for _, material, _ in self.objects}):
                 out.write(f"newmtl {name}\nKd {' '.join(number(c) for c in materials[name]['diffuse'])}\n")
+                if "diffuse_map" in materials[name]:
+                    out.write(f"map_Kd {materials[name]['diffuse_map']}\n")
 
 
 def number(value):

@@ -73,7 +73,7 @@ def _islands(model, rng):
             y0 = y - half + k * PITCH + 0.01
             model.add(f"Screen {i}", "screen_fabric",
                       chamfered_box((x - 0.014, y0, 0.60), (x + 0.014, y0 + PITCH - 0.02, 1.12), 0.004))
-        for side in (-1, 1):
+        for side in (-1, 1) if count == 4 else (1,):  # the short island is open toward the entrance
             _partition(model, f"Partition {i}", x, y + side * (half + 0.06))
 
 
@@ -112,7 +112,7 @@ def _equipment(model, rng):
     model.add_all("Copier", copier, lambda part: part.turned(rz=180).moved(9.75 - 0.45, 0.45))
     for k in range(5):
         x = 2.5 + 1.37 * k
-        model.add_all(f"Binder {k}", [("paper", box((x, 0.08, 1.048), (x + 0.30, 0.33, 1.36)))])
+        model.add_all(f"Archive box {k + 1}", [("cardboard", box((x, 0.08, 1.048), (x + 0.30, 0.33, 1.36)))])
 
 
 def _materials(project):
@@ -137,6 +137,7 @@ def _materials(project):
     project.material("mug", [0.70, 0.16, 0.10])
     project.material("whiteboard", 0.80)
     project.material("cork", [0.40, 0.27, 0.16])
+    project.material("cardboard", [0.42, 0.30, 0.18])
     project.material("pot", 0.55)
     project.material("soil", [0.06, 0.045, 0.035])
     project.material("leaf", [0.07, 0.20, 0.05])
@@ -152,8 +153,8 @@ def make():
     _equipment(model, rng)
     project = Project("Open-plan office", "office.obj", exposure=-0.6)
     _materials(project)
-    files = office_lighting.add(project)
-    project.camera("Entrance", [11.55, 0.75, 1.65], [5.2, 4.6, 0.95], 58)
+    files = office_lighting.light(project)
+    project.camera("Entrance", [11.75, 1.3, 1.7], [5.2, 4.4, 0.85], 56)
     project.camera("Window corner", [0.45, 7.0, 1.75], [7.5, 2.2, 0.75], 60)
     project.camera("Aisle", [3.35, 0.8, 1.6], [3.4, 6.0, 1.0], 60)
     project.camera("Workplace", [6.15, 3.3, 1.35], [8.0, 4.9, 0.95], 62)

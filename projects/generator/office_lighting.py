@@ -79,7 +79,7 @@ def _washers_and_task_lights():
     return fields
 
 
-def add(project):
+def light(project):
     """Adds luminaires and layouts; returns further files of the project, {name: Model}."""
     _panels(project)
     project.layout("Panels")

@@ -246,11 +246,10 @@ def swept(points, frames, radii, sides, closed=False, crease_deg=60.0):
     return Part(vertices, triangles, crease_deg)
 
 
-def picture_quad(low, high):
-    """A thin box whose front (low y) carries a picture: texture coordinates run over x and z."""
-    part = box(low, high)
-    def uv(i):
-        x, _, z = part.vertices[i]
-        return ((x - low[0]) / (high[0] - low[0]), (z - low[2]) / (high[2] - low[2]))
-    part.uvs = [tuple(uv(i) for i in triangle) for triangle in part.triangles]
-    return part
+def textured(part, u_axis, v_axis):
+    """The part with texture coordinates that run from 0 to 1 over its extent along two axes."""
+    low = [min(p[k] for p in part.vertices) for k in range(3)]
+    high = [max(p[k] for p in part.vertices) for k in range(3)]
+    uvs = [tuple((p[k] - low[k]) / (high[k] - low[k]) for k in (u_axis, v_axis)) for p in part.vertices]
+    return Part(part.vertices, part.triangles, part.crease_deg,
+                [tuple(uvs[i] for i in triangle) for triangle in part.triangles])
