@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "core/io/project/content.h"
+
+#include "core/scene/checks.h"
+
+#include <fmt/format.h>
+
+namespace soffit::io {
+namespace {
+
+void checkPositive(const ObjectReader& reader, std::string_view key, double value, Report& report) {
+  if (value > 0.0) return;
+  report.fail(reader.pathOf(key), fmt::format("expected a number above 0, found {}", value),
+              "Correct the number, or leave it out for 1.");
+}
+
+void checkRange(const ObjectReader& reader, std::string_view key, double value, double lowest,
+                double highest, Report& report) {
+  if (value >= lowest && value <= highest) return;
+  report.fail(reader.pathOf(key),
+              fmt::format("expected a number from {} to {}, found {}", lowest, highest, value),
+              "Correct the number.");
+}
+
+std::string readSky(const Json& value, const std::string& path, Report& report) {
+  ObjectReader reader(value, path, report);
+  int type = 1;
+  reader.require("cie", "1");
+  reader.read("cie", type);
+  checkRange(reader, "cie", type, 1, 16, report);
+  dvec2 sun{180.0, 45.0};
+  reader.read("sun", sun);
+  if (sun.y < -90.0 || sun.y > 90.0) {
+    report.fail(reader.pathOf("sun"),
+                fmt::format("expected an altitude from -90 to 90 degrees, found {}", sun.y),
+                "Write [azimuth, altitude] in degrees.");
+  }
+  std::optional<double> direct;
+  reader.read("direct_normal_illuminance", direct);
+  if (direct && *direct < 0.0) {
+    report.fail(reader.pathOf("direct_normal_illuminance"),
+                fmt::format("expected lux, not negative, found {}", *direct),
+                "Correct the number.");
+  }
+  return fmt::format("CIE sky {}", type);
+}
+
+void readImageProbe(ObjectReader& reader, Report& report, std::string& image) {
+  reader.read("image", image);
+  std::string layout = "latlong";
+  reader.read("layout", layout);
+  if (layout != "latlong") {
+    report.fail(reader.pathOf("layout"), fmt::format("expected \"latlong\", found \"{}\"", layout),
+                "Convert the picture to latitude and longitude.");
+  }
+  double rotation = 0.0;
+  reader.read("rotation", rotation);
+  double scale = 1.0;
+  reader.read("scale", scale);
+  checkRange(reader, "scale", scale, 0.0, 1e12, report);
+}
+
+scene::Glass readGlass(const Json& value, const std::string& path, Report& report) {
+  scene::Glass glass;
+  ObjectReader reader(value, path, report);
+  reader.read("index", glass.index);
+  reader.read("transmittance", glass.transmittance);
+  const double most = scene::losslessTransmittance(glass.index);
+  if (glass.index >= 1.0 && glass.transmittance > most && glass.transmittance <= 1.0) {
+    report.warn(reader.pathOf("transmittance"),
+                fmt::format("a sheet of index {} lets at most {:.3f} through", glass.index, most));
+  }
+  return glass;
+}
+
+}  // namespace
+
+GeometryEntry readGeometryEntry(const Json& value, const std::string& path, Report& report) {
+  GeometryEntry entry;
+  ObjectReader reader(value, path, report);
+  reader.require("file", "\"room.obj\"");
+  reader.read("file", entry.file);
+  reader.read("unit", entry.unit);
+  checkPositive(reader, "unit", entry.unit, report);
+  std::string up = "z";
+  reader.read("up", up);
+  if (up != "y" && up != "z") {
+    report.fail(reader.pathOf("up"), fmt::format("expected \"y\" or \"z\", found \"{}\"", up),
+                "Name the axis of the file that points up.");
+  }
+  entry.up = up == "y" ? 'y' : 'z';
+  reader.read("translate", entry.translate);
+  reader.read("rotate", entry.rotate_deg);
+  reader.read("scale", entry.scale);
+  checkPositive(reader, "scale", entry.scale, report);
+  return entry;
+}
+
+MaterialEdit readMaterial(const Json& value, const std::string& path, Report& report) {
+  MaterialEdit edit;
+  ObjectReader reader(value, path, report);
+  const Json* diffuse = reader.get("diffuse");
+  if (diffuse != nullptr && diffuse->asNumber() != nullptr) {
+    // One number is a grey.
+    if (const auto grey = readNumber(*diffuse, reader.pathOf("diffuse"), report)) {
+      edit.diffuse = dvec3(*grey);
+    }
+  } else {
+    reader.read("diffuse", edit.diffuse);
+  }
+  reader.read("specular", edit.specular);
+  reader.read("roughness", edit.roughness);
+  reader.read("diffuse_map", edit.diffuse_map);
+  reader.read("normal_map", edit.normal_map);
+  const Json* glass = reader.get("glass");
+  edit.opaque = glass != nullptr && glass->isNull();
+  if (glass != nullptr && !edit.opaque) {
+    edit.glass = readGlass(*glass, reader.pathOf("glass"), report);
+  }
+  return edit;
+}
+
+scene::Camera readCamera(const Json& value, const std::string& path, Report& report) {
+  scene::Camera camera;
+  ObjectReader reader(value, path, report);
+  reader.get("name");
+  reader.require("position", "[1, 1, 1.6]");
+  reader.require("target", "[4, 3, 1.2]");
+  reader.read("position", camera.position);
+  reader.read("target", camera.target);
+  reader.read("vertical_fov", camera.vertical_fov_deg);
+  return camera;
+}
+
+scene::WorkPlane readWorkPlane(const Json& value, const std::string& path, Report& report) {
+  scene::WorkPlane plane;
+  ObjectReader reader(value, path, report);
+  reader.get("name");
+  reader.require("origin", "[0.5, 0.5, 0.8]");
+  reader.require("u", "[4, 0, 0]");
+  reader.require("v", "[0, 3, 0]");
+  reader.require("grid", "[8, 6]");
+  reader.read("origin", plane.origin);
+  reader.read("u", plane.u);
+  reader.read("v", plane.v);
+  dvec2 grid{1.0};
+  reader.read("grid", grid);
+  if (grid != glm::trunc(grid) || grid.x < 1.0 || grid.y < 1.0 || grid.x > 1e7 || grid.y > 1e7) {
+    report.fail(reader.pathOf("grid"),
+                fmt::format("expected two whole numbers from 1, found {} and {}", grid.x, grid.y),
+                "Write the number of cells along u and v.");
+  } else {
+    plane.nu = static_cast<int>(grid.x);
+    plane.nv = static_cast<int>(grid.y);
+  }
+  reader.read("room_type", plane.room_type);
+  return plane;
+}
+
+scene::View readView(const Json& value, const std::string& path, Report& report) {
+  scene::View view;
+  ObjectReader reader(value, path, report);
+  reader.read("exposure", view.exposure);
+  reader.read("ocio_display", view.ocio_display);
+  reader.read("ocio_view", view.ocio_view);
+  reader.read("ocio_look", view.ocio_look);
+  return view;
+}
+
+scene::Quality readQuality(const Json& value, const std::string& path, Report& report) {
+  scene::Quality quality;
+  if (const std::string* preset = value.asText()) {
+    quality.preset = *preset;
+    return quality;
+  }
+  ObjectReader reader(value, path, report);
+  reader.read("preset", quality.preset);
+  const JsonObject* object = value.asObject();
+  if (object == nullptr) return quality;
+  for (const JsonMember& member : *object) {
+    if (member.key == "preset") continue;
+    reader.read(member.key, quality.settings[member.key]);
+  }
+  return quality;
+}
+
+scene::Environment readEnvironment(const Json& value, const std::string& path, Report& report,
+                                   std::string& image) {
+  scene::Environment environment;
+  ObjectReader reader(value, path, report);
+  if (value.asObject() == nullptr) return environment;
+  const Json* sky = reader.get("sky");
+  const bool probe = reader.get("image") != nullptr;
+  if ((sky != nullptr) == probe) {
+    report.fail(path, "expected either a sky or an image",
+                "Write { \"sky\": { \"cie\": 1 }, \"horizontal_illuminance\": 10000 } or "
+                "{ \"image\": \"probe.hdr\" }.");
+  }
+  if (probe) {
+    readImageProbe(reader, report, image);
+    environment.description = fmt::format("image {}", image);
+  }
+  if (sky != nullptr) {
+    double illuminance = 0.0;
+    double ground = 0.0;
+    environment.description = readSky(*sky, reader.pathOf("sky"), report);
+    reader.require("horizontal_illuminance", "10000");
+    reader.read("horizontal_illuminance", illuminance);
+    checkRange(reader, "horizontal_illuminance", illuminance, 0.0, 1e7, report);
+    reader.read("ground_reflectance", ground);
+    checkRange(reader, "ground_reflectance", ground, 0.0, 1.0, report);
+    environment.description += fmt::format(", {} lx, ground {}", illuminance, ground);
+  }
+  return environment;
+}
+
+}  // namespace soffit::io
