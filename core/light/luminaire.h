@@ -21,11 +21,14 @@ struct Disk { double radius = 0.3; };                            ///< in the xy 
 struct Sphere { double radius = 0.1; };                          ///< emits outwards
 struct Tube { double length = 1.2; double radius = 0.013; };     ///< axis x, centred, lateral surface only
 struct Polygon { std::vector<dvec2> outline; };                  ///< simple, any winding, emits to -z
+/// MeshShape::up of a mesh that stands as its file or the file's format says.
+inline constexpr char kUpAsInFile = '\0';
+
 /// Any mesh; emits where its counter-clockwise winding faces. `mesh` holds metres, z up.
 struct MeshShape {
   std::string file;  ///< relative to the project
   double unit = 1.0;
-  char up = 'z';
+  char up = 'z';  ///< 'y', 'z' or kUpAsInFile
   std::shared_ptr<const geometry::Mesh> mesh;
 };
 using Shape = std::variant<PointShape, Rectangle, Disk, Sphere, Tube, Polygon, MeshShape>;

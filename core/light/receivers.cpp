@@ -103,20 +103,26 @@ Receivers::Bounds boundsOf(const Receivers& r, std::uint32_t begin, std::uint32_
 }  // namespace
 
 void clusterPoints(std::span<const vec3> positions, std::span<const vec3> normals, std::uint32_t cluster_size,
-                   std::vector<std::uint32_t>& order, std::vector<std::uint32_t>& offsets) {
+                   std::span<const std::uint32_t> regions, std::vector<std::uint32_t>& order,
+                   std::vector<std::uint32_t>& offsets) {
   const auto count = static_cast<std::uint32_t>(positions.size());
   order.resize(count);
   std::iota(order.begin(), order.end(), 0U);
   offsets.assign(1, 0U);
+  const auto regionOf = [&](std::uint32_t i) { return regions.empty() ? 0U : regions[i]; };
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (regionOf(a) != regionOf(b)) return regionOf(a) < regionOf(b);
     return normalClass(normals[a]) < normalClass(normals[b]);
   });
   const Splitter splitter{positions, normals, cluster_size, &order, &offsets};
   for (std::uint32_t begin = 0; begin < count;) {
     const std::uint32_t cls = normalClass(normals[order[begin]]);
+    const std::uint32_t region = regionOf(order[begin]);
     std::uint32_t end = begin;
     vec3 mean(0.0F);
-    while (end < count && normalClass(normals[order[end]]) == cls) mean += normals[order[end++]];
+    while (end < count && normalClass(normals[order[end]]) == cls && regionOf(order[end]) == region) {
+      mean += normals[order[end++]];
+    }
     const float length = glm::length(mean);
     splitter.split(begin, end, length > 0.0F ? mean / length : vec3(0, 0, 1));
     begin = end;
@@ -174,17 +180,18 @@ void orderWithin(std::span<const vec3> positions, std::span<const vec3> normals,
     }
     std::vector<std::uint32_t> inner;
     std::vector<std::uint32_t> inner_offsets;
-    clusterPoints(p, n, Receivers::kGroup, inner, inner_offsets);
+    clusterPoints(p, n, Receivers::kGroup, {}, inner, inner_offsets);
     for (std::size_t i = 0; i < members.size(); ++i) order[offsets[k] + i] = members[inner[i]];
   }
 }
 
 }  // namespace
 
-Receivers makeReceivers(std::span<const vec3> positions, std::span<const vec3> normals, std::uint32_t cluster_size) {
+Receivers makeReceivers(std::span<const vec3> positions, std::span<const vec3> normals, std::uint32_t cluster_size,
+                        std::span<const std::uint32_t> regions) {
   std::vector<std::uint32_t> order;
   std::vector<std::uint32_t> offsets;
-  clusterPoints(positions, normals, cluster_size, order, offsets);
+  clusterPoints(positions, normals, cluster_size, regions, order, offsets);
   orderWithin(positions, normals, order, offsets);
   return makeReceivers(positions, normals, order, offsets);
 }

@@ -47,16 +47,19 @@ struct Receivers {
 ///
 /// positions, normals  one per point, normals unit; scene-local.
 /// cluster_size        wished points per cluster, a multiple of 16; clusters hold at most this.
+/// regions             per point, or empty: points of different regions never share a cluster.
 /// Deterministic; O(n log n).
-Receivers makeReceivers(std::span<const vec3> positions, std::span<const vec3> normals, std::uint32_t cluster_size);
+Receivers makeReceivers(std::span<const vec3> positions, std::span<const vec3> normals, std::uint32_t cluster_size,
+                        std::span<const std::uint32_t> regions = {});
 
 /// The same from given clusters: `order` lists points, cluster k is order[offsets[k] .. offsets[k+1]).
 Receivers makeReceivers(std::span<const vec3> positions, std::span<const vec3> normals,
                         std::span<const std::uint32_t> order, std::span<const std::uint32_t> offsets);
 
-/// A partition of points by normal class, then by distance and position (k-d split), into sets of
-/// at most `cluster_size`. Writes the order and the offsets of the clusters.
+/// A partition of points by region and normal class, then by distance and position (k-d split),
+/// into sets of at most `cluster_size`. Writes the order and the offsets of the clusters.
 void clusterPoints(std::span<const vec3> positions, std::span<const vec3> normals, std::uint32_t cluster_size,
-                   std::vector<std::uint32_t>& order, std::vector<std::uint32_t>& offsets);
+                   std::span<const std::uint32_t> regions, std::vector<std::uint32_t>& order,
+                   std::vector<std::uint32_t>& offsets);
 
 }  // namespace soffit::light

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "core/base/parallel.h"
+#include "core/math/rng.h"
+#include "core/transfer/hemisphere.h"
+#include "core/transfer/operators.h"
+#include "core/transfer/skeleton.h"
+#include "core/transfer/training.h"
+
+#include <atomic>
+#include <chrono>
+
+namespace soffit::transfer {
+namespace {
+
+class Clock {
+ public:
+  /// Seconds since construction.
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  /// Seconds since the last lap.
+  double lap() {
+    const double now = seconds();
+    const double passed = now - last_;
+    last_ = now;
+    return passed;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double last_ = 0.0;
+};
+
+/// Hits of every texel's rays, and with them which texels are valid (design.md section 2).
+struct FirstHits {
+  std::vector<std::uint32_t> slots;  ///< rays per slot
+  std::vector<std::uint8_t> valid;
+};
+
+FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, const Job& job, Operators& operators) {
+  const Texels& texels = operators.texels;
+  const auto rays = static_cast<std::size_t>(settings.node_rays * settings.node_rays);
+  FirstHits first;
+  first.slots.assign(texels.slotCount() * rays, kNoTexel);
+  first.valid.assign(texels.slotCount(), 0);
+  operators.kept.assign(texels.slotCount(), 0.0F);
+  const float near = std::min(0.02F, static_cast<float>(0.2 * texels.cell));
+  std::atomic<std::size_t> done{0};
+  const std::size_t clusters = texels.receivers.clusters.size();
+  parallelFor(clusters, 1, [&](std::size_t begin, std::size_t end) {
+    HemisphereScratch scratch;
+    HemisphereHits hits;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (job.cancelled()) return;
+      const light::Receivers::Cluster& c = texels.receivers.clusters[i];
+      for (std::uint32_t s = c.begin; s < c.begin + c.used; ++s) {
+        traceHemisphere(scene, texels, texels.receivers.position(s), texels.receivers.normal(s), settings.node_rays,
+                        settings.seed * 15485863U + s, near, scratch, hits);
+        std::copy(hits.slots.begin(), hits.slots.end(), first.slots.begin() + static_cast<std::ptrdiff_t>(s * rays));
+        const int total = static_cast<int>(rays);
+        first.valid[s] = hits.inside * 10 <= total && hits.near * 2 <= total ? 1 : 0;
+        operators.kept[s] = static_cast<float>(total - hits.missed - hits.inside) / static_cast<float>(total);
+      }
+      job.report("tracing surfaces", static_cast<double>(++done) / static_cast<double>(clusters));
+    }
+  });
+  return first;
+}
+
+/// Invalid texels show the light of the nearest valid one of their cluster.
+void fillInvalid(const FirstHits& first, Operators& operators) {
+  const Texels& texels = operators.texels;
+  operators.area = texels.area;
+  operators.fill_from.resize(texels.slotCount());
+  for (const light::Receivers::Cluster& c : texels.receivers.clusters) {
+    for (std::uint32_t s = c.begin; s < c.end; ++s) {
+      const std::uint32_t own = s < c.begin + c.used ? s : c.begin + c.used - 1;
+      operators.fill_from[s] = own;
+      if (first.valid[own] != 0) continue;
+      operators.area[s] = 0.0F;
+      float best = 1e30F;
+      for (std::uint32_t o = c.begin; o < c.begin + c.used; ++o) {
+        if (first.valid[o] == 0 || glm::dot(texels.receivers.normal(o), texels.receivers.normal(s)) < 0.7F) continue;
+        const vec3 d = texels.receivers.position(o) - texels.receivers.position(s);
+        if (glm::dot(d, d) < best) {
+          best = glm::dot(d, d);
+          operators.fill_from[s] = o;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::size_t Operators::bytes() const {
+  return lists.bytes() + weights.size() * sizeof(float) + nodes.matrix.size() * sizeof(float) +
+         nodes.phi.size() * sizeof(vec2) + list_area.size() * sizeof(float) + clusters.size() * sizeof(ClusterWeights);
+}
+
+Result<std::shared_ptr<const Operators>> bake(const StaticScene& scene, const BakeSettings& settings, const Job& job,
+                                              const CoarseResult& coarse, BakeCounts* counts) {
+  const Error cancelled{"bake", "cancelled", ""};
+  Clock clock;
+  BakeCounts tally;
+  auto operators = std::make_shared<Operators>();
+  if (scene.mesh->triangles.empty()) {
+    // Light in free space: nothing reflects.
+    operators->coarse = true;
+    if (counts != nullptr) *counts = tally;
+    return std::shared_ptr<const Operators>(operators);
+  }
+  job.report("laying out texels", 0.0);
+  const double cell = cellForCount(*scene.mesh, scene.sides, static_cast<std::size_t>(settings.texels), settings.least_cell);
+  operators->texels = makeTexels(*scene.mesh, scene.sides, cell, &scene.caster);
+  tally.texel_seconds = clock.lap();
+  const FirstHits first = traceFirst(scene, settings, job, *operators);
+  if (job.cancelled()) return cancelled;
+  fillInvalid(first, *operators);
+  const int rays = settings.node_rays * settings.node_rays;
+  tally.rays += static_cast<std::uint64_t>(operators->texels.texelCount()) * static_cast<std::uint64_t>(rays);
+  operators->nodes = makeNodes(operators->texels, operators->area, settings.patch);
+  fillNodeMatrix(operators->nodes, operators->area, first.slots, rays);
+  operators->coarse = true;
+  tally.node_seconds = clock.lap();
+  tally.first_result_seconds = clock.seconds();
+  if (coarse) coarse(std::make_shared<const Operators>(*operators));
+  const TrainingFields fields = makeTrainingFields(scene, *operators, first.slots, rays, settings, job);
+  if (job.cancelled()) return cancelled;
+  tally.training_seconds = clock.lap();
+  tally.rays += fillSkeletons(scene, fields, settings, job, *operators);
+  if (job.cancelled()) return cancelled;
+  operators->coarse = false;
+  tally.list_seconds = clock.lap();
+  tally.seconds = clock.seconds();
+  if (counts != nullptr) *counts = tally;
+  return std::shared_ptr<const Operators>(operators);
+}
+
+}  // namespace soffit::transfer

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "core/transfer/hemisphere.h"
+
+#include "core/math/rng.h"
+#include "core/math/sampling.h"
+
+namespace soffit::transfer {
+
+void traceHemisphere(const StaticScene& scene, const Texels& texels, const vec3& p, const vec3& n, int side,
+                     std::uint64_t seed, float near_distance, HemisphereScratch& scratch, HemisphereHits& out) {
+  const auto count = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
+  scratch.rays.resize(count);
+  scratch.hits.resize(count);
+  Rng rng(mixBits(seed));
+  vec3 t;
+  vec3 b;
+  orthonormalBasis(n, t, b);
+  const float turn = 6.2831853F * rng.uniform();
+  const vec3 t2 = std::cos(turn) * t + std::sin(turn) * b;
+  const vec3 b2 = std::cos(turn) * b - std::sin(turn) * t;
+  const vec3 origin = geometry::offsetOrigin(p, n);
+  const float step = 1.0F / static_cast<float>(side);
+  // Blocks of 4 x 4 strata make packets of 16 neighbouring directions.
+  const int block = side % 4 == 0 ? 4 : 1;
+  std::size_t k = 0;
+  for (int bj = 0; bj < side; bj += block) {
+    for (int bi = 0; bi < side; bi += block) {
+      for (int j = bj; j < bj + block; ++j) {
+        for (int i = bi; i < bi + block; ++i) {
+          const vec3 d = cosineHemisphere((static_cast<float>(i) + rng.uniform()) * step,
+                                          (static_cast<float>(j) + rng.uniform()) * step);
+          geometry::Ray& ray = scratch.rays[k++];
+          ray.origin = origin;
+          ray.direction = d.x * t2 + d.y * b2 + d.z * n;
+          ray.t_min = 0.0F;
+          ray.t_max = std::numeric_limits<float>::infinity();
+        }
+      }
+    }
+  }
+  scene.caster.closest(scratch.rays, scratch.hits);
+  out.slots.resize(count);
+  out.missed = 0;
+  out.inside = 0;
+  out.near = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const geometry::Hit& hit = scratch.hits[i];
+    out.slots[i] = kNoTexel;
+    if (!hit.valid()) {
+      ++out.missed;
+      continue;
+    }
+    if (hit.t < near_distance) ++out.near;
+    const geometry::Ray& ray = scratch.rays[i];
+    out.slots[i] = texels.at(hit.triangle, scene.hitsFront(hit.triangle, ray.direction), ray.origin + hit.t * ray.direction);
+    if (out.slots[i] == kNoTexel) ++out.inside;
+  }
+}
+
+}  // namespace soffit::transfer

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/transfer/static_scene.h"
+#include "core/transfer/texels.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace soffit::transfer {
+
+/// Where cosine-distributed rays from a point end.
+struct HemisphereHits {
+  std::vector<std::uint32_t> slots;  ///< texel per ray; kNoTexel where the ray misses or ends inside
+  int missed = 0;                    ///< rays that left the scene
+  int inside = 0;                    ///< rays that met the inside of a closed solid
+  int near = 0;                      ///< rays that ended within `near_distance`
+};
+
+/// Scratch memory for traceHemisphere.
+struct HemisphereScratch {
+  std::vector<geometry::Ray> rays;
+  std::vector<geometry::Hit> hits;
+};
+
+/// Traces side*side rays, stratified and jittered in the cosine-weighted hemisphere about n
+/// (Shirley & Chiu map), rotated at random per point: E = pi/N sum L for any radiance L, error
+/// O(N^-3/4) for piecewise smooth ones. Every ray carries the same weight.
+///
+/// p, n           scene-local, n unit.
+/// seed           decides jitter and rotation; equal seeds give equal rays.
+void traceHemisphere(const StaticScene& scene, const Texels& texels, const vec3& p, const vec3& n, int side,
+                     std::uint64_t seed, float near_distance, HemisphereScratch& scratch, HemisphereHits& out);
+
+}  // namespace soffit::transfer

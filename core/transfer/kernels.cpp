@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/transfer/kernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include "core/base/parallel.h"
+#include "core/transfer/kernels.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace soffit::transfer::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Vectors never exceed 16 lanes, so that strides of 16 always divide.
+using D = hn::CappedTag<float, 16>;
+constexpr D d;
+
+void MultiplyRows(const float* matrix, std::size_t stride, std::size_t rows, const float* x, float* y) {
+  const std::size_t lanes = hn::Lanes(d);
+  for (std::size_t r = 0; r < rows; ++r) {
+    const float* row = matrix + r * stride;
+    auto sum0 = hn::Zero(d);
+    auto sum1 = hn::Zero(d);
+    std::size_t c = 0;
+    for (; c + 2 * lanes <= stride; c += 2 * lanes) {
+      sum0 = hn::MulAdd(hn::LoadU(d, row + c), hn::LoadU(d, x + c), sum0);
+      sum1 = hn::MulAdd(hn::LoadU(d, row + c + lanes), hn::LoadU(d, x + c + lanes), sum1);
+    }
+    for (; c < stride; c += lanes) sum0 = hn::MulAdd(hn::LoadU(d, row + c), hn::LoadU(d, x + c), sum0);
+    y[r] = hn::GetLane(hn::SumOfLanes(d, hn::Add(sum0, sum1)));
+  }
+}
+
+void GatherRgb(const GatherLists& lists, std::size_t first, const float* x, float* y, std::size_t count) {
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t k = 0; k < count; ++k) {
+    const GatherLists::List& list = lists.lists[first + k];
+    float sum[4] = {0, 0, 0, 0};
+    for (std::uint32_t b = list.first_block; b < list.first_block + list.block_count; ++b) {
+      const GatherLists::Block& block = lists.blocks[b];
+      for (std::uint32_t e = block.first; e < block.first + block.count; ++e) {
+        const float* from = x + 4 * (block.base + lists.entries[e].local);
+        const auto n = static_cast<float>(lists.entries[e].count);
+        for (int c = 0; c < 4; ++c) sum[c] += n * from[c];
+      }
+    }
+    for (int c = 0; c < 4; ++c) y[4 * k + static_cast<std::size_t>(c)] = sum[c] * list.scale;
+  }
+#else
+  using D4 = hn::CappedTag<float, 4>;
+  constexpr D4 d4;
+  for (std::size_t k = 0; k < count; ++k) {
+    const GatherLists::List& list = lists.lists[first + k];
+    auto sum0 = hn::Zero(d4);
+    auto sum1 = hn::Zero(d4);
+    for (std::uint32_t b = list.first_block; b < list.first_block + list.block_count; ++b) {
+      const GatherLists::Block& block = lists.blocks[b];
+      const GatherLists::Entry* entry = &lists.entries[block.first];
+      const float* base = x + 4 * static_cast<std::size_t>(block.base);
+      std::uint32_t e = 0;
+      for (; e + 2 <= block.count; e += 2) {
+        const auto n0 = hn::Set(d4, static_cast<float>(entry[e].count));
+        const auto n1 = hn::Set(d4, static_cast<float>(entry[e + 1].count));
+        sum0 = hn::MulAdd(n0, hn::LoadU(d4, base + 4 * static_cast<std::size_t>(entry[e].local)), sum0);
+        sum1 = hn::MulAdd(n1, hn::LoadU(d4, base + 4 * static_cast<std::size_t>(entry[e + 1].local)), sum1);
+      }
+      if (e < block.count) {
+        const auto n0 = hn::Set(d4, static_cast<float>(entry[e].count));
+        sum0 = hn::MulAdd(n0, hn::LoadU(d4, base + 4 * static_cast<std::size_t>(entry[e].local)), sum0);
+      }
+    }
+    hn::StoreU(hn::Mul(hn::Add(sum0, sum1), hn::Set(d4, list.scale)), d4, y + 4 * k);
+  }
+#endif
+}
+
+void Interpolate(const float* weights, const float* y, std::size_t rank, std::size_t slots, float* out_r,
+                 float* out_g, float* out_b) {
+  const std::size_t lanes = hn::Lanes(d);
+  for (std::size_t s = 0; s < slots; s += lanes) {
+    auto r = hn::LoadU(d, out_r + s);
+    auto g = hn::LoadU(d, out_g + s);
+    auto b = hn::LoadU(d, out_b + s);
+    for (std::size_t k = 0; k < rank; ++k) {
+      const auto w = hn::LoadU(d, weights + k * slots + s);
+      r = hn::MulAdd(w, hn::Set(d, y[4 * k]), r);
+      g = hn::MulAdd(w, hn::Set(d, y[4 * k + 1]), g);
+      b = hn::MulAdd(w, hn::Set(d, y[4 * k + 2]), b);
+    }
+    hn::StoreU(r, d, out_r + s);
+    hn::StoreU(g, d, out_g + s);
+    hn::StoreU(b, d, out_b + s);
+  }
+}
+
+void AddScaled(float scale, const float* x, float* y, std::size_t n) {
+  const std::size_t lanes = hn::Lanes(d);
+  const auto a = hn::Set(d, scale);
+  std::size_t i = 0;
+  for (; i + lanes <= n; i += lanes) hn::StoreU(hn::MulAdd(a, hn::LoadU(d, x + i), hn::LoadU(d, y + i)), d, y + i);
+  for (; i < n; ++i) y[i] += scale * x[i];
+}
+
+}  // namespace soffit::transfer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace soffit::transfer {
+
+HWY_EXPORT(MultiplyRows);
+HWY_EXPORT(GatherRgb);
+HWY_EXPORT(Interpolate);
+HWY_EXPORT(AddScaled);
+
+void multiplyRows(std::span<const float> matrix, std::size_t stride, std::size_t rows, std::span<const float> x,
+                  std::span<float> y) {
+  parallelFor(rows, 128, [&](std::size_t begin, std::size_t end) {
+    HWY_DYNAMIC_DISPATCH(MultiplyRows)(matrix.data() + begin * stride, stride, end - begin, x.data(), y.data() + begin);
+  });
+}
+
+void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x, std::span<vec4> y) {
+  static_assert(sizeof(vec4) == 4 * sizeof(float));
+  if (y.empty()) return;
+  HWY_DYNAMIC_DISPATCH(GatherRgb)(lists, first, &x[0].x, &y[0].x, y.size());
+}
+
+void gather(const GatherLists& lists, std::size_t first, std::span<const float> x, std::span<float> y) {
+  // One channel is a plain scalar loop: a byte index and a load per tap leave nothing to vectorise.
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    const GatherLists::List& list = lists.lists[first + k];
+    float sum0 = 0.0F;
+    float sum1 = 0.0F;
+    for (std::uint32_t b = list.first_block; b < list.first_block + list.block_count; ++b) {
+      const GatherLists::Block& block = lists.blocks[b];
+      const GatherLists::Entry* entry = &lists.entries[block.first];
+      const float* base = &x[block.base];
+      std::uint32_t e = 0;
+      for (; e + 2 <= block.count; e += 2) {
+        sum0 += static_cast<float>(entry[e].count) * base[entry[e].local];
+        sum1 += static_cast<float>(entry[e + 1].count) * base[entry[e + 1].local];
+      }
+      if (e < block.count) sum0 += static_cast<float>(entry[e].count) * base[entry[e].local];
+    }
+    y[k] = (sum0 + sum1) * list.scale;
+  }
+}
+
+void interpolate(std::span<const float> weights, std::span<const vec4> y, std::size_t slots, float* out_r,
+                 float* out_g, float* out_b) {
+  if (y.empty()) return;
+  HWY_DYNAMIC_DISPATCH(Interpolate)(weights.data(), &y[0].x, y.size(), slots, out_r, out_g, out_b);
+}
+
+void addScaled(float scale, const float* x, float* y, std::size_t n) {
+  HWY_DYNAMIC_DISPATCH(AddScaled)(scale, x, y, n);
+}
+
+}  // namespace soffit::transfer
+#endif

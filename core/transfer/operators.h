@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/transfer/gather_lists.h"
+#include "core/transfer/nodes.h"
+#include "core/transfer/static_scene.h"
+#include "core/transfer/texels.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+/// What geometry alone decides about the bounce: the product of the bake.
+namespace soffit::transfer {
+
+struct BakeSettings {
+  int texels = 52000;           ///< wished number of source texels
+  double least_cell = 0.03;     ///< m, no smaller texels than this
+  std::uint32_t patch = 128;    ///< texels per node patch
+  int node_rays = 8;            ///< squared: rays per texel for the node matrix
+  int trainings = 128;          ///< training lights
+  int field_rays = 24;          ///< squared: rays per texel for the training fields
+  int list_rays = 64;           ///< squared: rays per skeleton point
+  int max_rank = 40;            ///< skeleton points per cluster at most
+  double tolerance = 0.004;     ///< rank stops when the fields' residual is below this share of their mean
+  std::uint64_t seed = 1;
+};
+
+/// How the cluster's indirect light follows from its skeleton points.
+struct ClusterWeights {
+  std::uint32_t first_list = 0;
+  std::uint32_t rank = 0;
+  std::size_t first_weight = 0;  ///< rank x slots, row-major
+};
+
+struct Operators {
+  Texels texels;
+  std::vector<float> area;               ///< per slot: what takes part in the bounce; 0 for padding and invalid texels
+  std::vector<std::uint32_t> fill_from;  ///< per slot: itself, or the valid slot whose light it shows
+  std::vector<float> kept;               ///< per slot: share of its light that stays in the scene
+  Nodes nodes;
+  GatherLists lists;
+  std::vector<ClusterWeights> clusters;  ///< per cluster of texels.receivers
+  std::vector<float> weights;
+  std::vector<float> list_area;          ///< per list: sum over slots of area x weight, for energy conservation
+  bool coarse = false;                   ///< lists and weights are not there yet: indirect from nodes alone
+
+  [[nodiscard]] std::size_t bytes() const;
+};
+
+struct BakeCounts {
+  double seconds = 0.0;
+  double first_result_seconds = 0.0;
+  std::uint64_t rays = 0;
+  double texel_seconds = 0, node_seconds = 0, training_seconds = 0, field_seconds = 0, list_seconds = 0;
+};
+
+/// Called with the coarse operators as soon as they are there.
+using CoarseResult = std::function<void(std::shared_ptr<const Operators>)>;
+
+/// Bakes. Errors: cancelled. Deterministic for equal settings, whatever the thread count.
+Result<std::shared_ptr<const Operators>> bake(const StaticScene& scene, const BakeSettings& settings, const Job& job,
+                                              const CoarseResult& coarse, BakeCounts* counts = nullptr);
+
+}  // namespace soffit::transfer

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "core/transfer/static_scene.h"
+
+#include "core/geometry/components.h"
+#include "core/transfer/charts.h"
+
+#include <algorithm>
+
+namespace soffit::transfer {
+namespace {
+
+/// Whether a closed component is a room rather than a thing.
+bool isRoom(const geometry::Mesh& mesh, const geometry::Components& components, std::size_t index,
+            std::span<const vec3> inside) {
+  const geometry::Component& c = components.list[index];
+  if (components.list.size() == 1) return true;
+  const auto holds = [&](const vec3& p) { return c.bounds.contains(p) && geometry::contains(mesh, c, p); };
+  if (std::any_of(inside.begin(), inside.end(), holds)) return true;
+  for (std::size_t other = 0; other < components.list.size(); ++other) {
+    if (other == index) continue;
+    const geometry::Component& o = components.list[other];
+    // Whatever reaches out of the shell's box is not held by it.
+    if (o.bounds.lo.x < c.bounds.lo.x || o.bounds.lo.y < c.bounds.lo.y || o.bounds.lo.z < c.bounds.lo.z ||
+        o.bounds.hi.x > c.bounds.hi.x || o.bounds.hi.y > c.bounds.hi.y || o.bounds.hi.z > c.bounds.hi.z) {
+      continue;
+    }
+    // Centres of a few triangles; those that lie on the shell itself (a block's foot on the
+    // floor) say nothing.
+    const float margin = 1e-4F * c.bounds.diagonal();
+    const std::size_t step = std::max<std::size_t>(1, o.triangles.size() / 16);
+    for (std::size_t k = 0; k < o.triangles.size(); k += step) {
+      const uvec3& t = mesh.triangles[o.triangles[k]];
+      const vec3 p = (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0F;
+      const vec3 gap = glm::min(p - c.bounds.lo, c.bounds.hi - p);
+      if (std::min({gap.x, gap.y, gap.z}) > margin && holds(p)) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<std::uint8_t> sidesOf(const geometry::Mesh& mesh, std::span<const vec3> inside) {
+  std::vector<std::uint8_t> sides(mesh.triangles.size(), kBothSides);
+  const geometry::Components components = geometry::findComponents(mesh);
+  for (std::size_t i = 0; i < components.list.size(); ++i) {
+    const geometry::Component& c = components.list[i];
+    if (!c.solid() || isRoom(mesh, components, i, inside)) continue;
+    for (const std::uint32_t t : c.triangles) sides[t] = c.outward() ? kFront : kBack;
+  }
+  return sides;
+}
+
+}  // namespace
+
+std::shared_ptr<const StaticScene> makeStaticScene(std::shared_ptr<const geometry::Mesh> mesh,
+                                                   std::span<const vec3> inside) {
+  std::vector<std::uint8_t> sides = sidesOf(*mesh, inside);
+  std::vector<vec3> normals(mesh->triangles.size(), vec3(0.0F));
+  std::vector<light::Blocker> blockers;
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const uvec3& t = mesh->triangles[i];
+    const vec3& a = mesh->positions[t.x];
+    const vec3& b = mesh->positions[t.y];
+    const vec3& c = mesh->positions[t.z];
+    const dvec3 n = glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
+    const double length = glm::length(n);
+    if (length <= 0.0) continue;
+    normals[i] = vec3(n / length);
+    light::Blocker blocker;
+    blocker.corners = {a, b, c, c};
+    blocker.normal = normals[i];
+    blocker.solid = sides[i] != kBothSides;
+    if (sides[i] == kBack) {
+      std::swap(blocker.corners[1], blocker.corners[2]);
+      blocker.corners[3] = blocker.corners[2];
+      blocker.normal = -blocker.normal;
+    }
+    blockers.push_back(blocker);
+  }
+  const float size = mesh->bounds().diagonal();
+  StaticScene scene{mesh,
+                    geometry::RayCaster(mesh->positions, mesh->triangles),
+                    light::Blockers(std::move(blockers)),
+                    std::move(normals),
+                    std::move(sides),
+                    std::min(1e-4F, 2e-5F * size)};
+  return std::make_shared<const StaticScene>(std::move(scene));
+}
+
+}  // namespace soffit::transfer
