@@ -15,10 +15,11 @@ HERE = Path(__file__).resolve().parent
 SAMPLES = ["cornell", "flat", "gallery", "office"]
 
 
-def write(name, root=HERE, quiet=False):
-    """Makes one sample in root/name."""
-    sample = importlib.import_module(f"generator.{name}").make()
-    folder = root / name
+def make(name):
+    return importlib.import_module(f"generator.{name}").make()
+
+
+def write(name, sample, folder):
     folder.mkdir(exist_ok=True)
     sample["model"].write(folder / f"{name}.obj", sample["title"], sample["project"].materials, f"{name}.mtl")
     sample["project"].write(folder / f"{name}.soffit")
@@ -28,9 +29,6 @@ def write(name, root=HERE, quiet=False):
         else:
             content.write(folder / file, "Luminous mesh", {"light": {"diffuse": [0.8, 0.8, 0.8]}},
                           Path(file).with_suffix(".mtl").name)
-    if not quiet:
-        print(f"{name}: {sample['model'].triangle_count()} triangles, "
-              f"{sum(f.stat().st_size for f in folder.iterdir()) / 1e6:.2f} MB")
 
 
 def main():
@@ -43,10 +41,13 @@ def main():
         parser.error(f"no sample is called {unknown[0]}; there are {', '.join(SAMPLES)}")
     if not arguments.check:
         for name in arguments.samples:
-            write(name)
+            sample = make(name)
+            write(name, sample, HERE / name)
+            print(f"{name}: {sample['model'].triangle_count()} triangles, "
+                  f"{sum(f.stat().st_size for f in (HERE / name).iterdir()) / 1e6:.2f} MB")
         return 0
     from generator import check
-    faults = [fault for name in arguments.samples for fault in check.check(name, HERE)]
+    faults = [fault for name in arguments.samples for fault in check.check(name, make(name), HERE)]
     print("\n".join(faults) or "all samples are sound")
     return 1 if faults else 0
 

@@ -7,8 +7,8 @@
 - materials and textures exist; what a layout names exists or is complete;
 - luminaires, cameras and calculation points are in the room's air and not inside a solid.
 """
-import importlib
 import json
+import math
 import tempfile
 from pathlib import Path
 
@@ -19,15 +19,14 @@ from .vectors import add, cross, dot, length, sub
 MEGABYTES = 20.0
 
 
-def check(name, root):
-    sample = importlib.import_module(f"generator.{name}").make()
+def check(name, sample, root):
     folder = root / name
     project = json.loads((folder / f"{name}.soffit").read_text(encoding="utf-8"))
     solids = read_components(folder / f"{name}.obj")
     rooms = [s for s in solids if s.volume < 0.0 or not s.closed()]
     furniture = [s for s in solids if s.volume > 0.0 and s.closed()]
     faults = []
-    faults += _matches_generator(name, folder)
+    faults += _matches_generator(name, sample, folder)
     faults += _rooms(rooms, sample.get("open_edges", False))
     faults += [f"degenerate triangle in {s.label}" for s in solids if s.degenerate()]
     faults += overlap.coincident_faces(solids)
@@ -111,22 +110,32 @@ def read_components(path):
 
 
 class Places:
+    CELL = 0.4  # metres; solids are listed by the cells of the plan that they touch
+
     def __init__(self, shell, furniture):
-        self.shell, self.furniture = shell, furniture
+        self.shell, self.near = shell, {}
+        for solid in furniture:
+            for i in range(self._cell(solid.low[0]), self._cell(solid.high[0]) + 1):
+                for j in range(self._cell(solid.low[1]), self._cell(solid.high[1]) + 1):
+                    self.near.setdefault((i, j), []).append(solid)
+
+    def _cell(self, x):
+        return math.floor(x / self.CELL)
 
     def fault(self, p):
         """Why p is not a good place, or None."""
         if not self.shell.contains(p):
             return "is outside the room"
-        inside = next((s.label for s in self.furniture if s.contains(p)), None)
+        solids = self.near.get((self._cell(p[0]), self._cell(p[1])), [])
+        inside = next((s.label for s in solids if s.contains(p)), None)
         return f"is inside {inside}" if inside else None
 
 
-def _matches_generator(name, folder):
+def _matches_generator(name, sample, folder):
     import generate
     with tempfile.TemporaryDirectory() as scratch:
-        generate.write(name, Path(scratch), quiet=True)
-        made = {f.name: f.read_bytes() for f in (Path(scratch) / name).iterdir()}
+        generate.write(name, sample, Path(scratch))
+        made = {f.name: f.read_bytes() for f in Path(scratch).iterdir()}
     found = {f.name: f.read_bytes() for f in folder.iterdir() if f.name != "README.md"}
     faults = [f"{file} is not made by the generator" for file in found.keys() - made.keys()]
     faults += [f"{file} is missing; run projects/generate.py" for file in made.keys() - found.keys()]

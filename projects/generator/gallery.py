@@ -13,9 +13,9 @@ FREE_WALL = ((4.92, 1.6, -0.002), (5.08, 4.4, 2.6))
 
 # Wall, x, y of the middle, width, height, pixels across; in the order of paintings.PAINTINGS.
 PICTURES = [
-    ("+y", 1.8, 6.0, 1.50, 0.95, 240), ("+y", 5.0, 6.0, 1.05, 1.05, 200), ("+y", 8.2, 6.0, 1.10, 1.10, 200),
-    ("-y", 1.8, 0.0, 1.40, 0.90, 240), ("-y", 5.0, 0.0, 1.00, 1.20, 160), ("-y", 8.2, 0.0, 1.35, 0.90, 200),
-    ("+x", 4.92, 3.0, 0.90, 1.30, 180), ("-x", 5.08, 3.0, 1.60, 1.00, 160), ("+x", 10.0, 3.0, 1.80, 1.25, 160)]
+    ("+y", 1.8, 6.0, 1.50, 0.95, 320), ("+y", 5.0, 6.0, 1.05, 1.05, 300), ("+y", 8.2, 6.0, 1.10, 1.10, 300),
+    ("-y", 1.8, 0.0, 1.40, 0.90, 280), ("-y", 5.0, 0.0, 1.00, 1.20, 240), ("-y", 8.2, 0.0, 1.35, 0.90, 280),
+    ("+x", 4.92, 3.0, 0.90, 1.30, 200), ("-x", 5.08, 3.0, 1.60, 1.00, 280), ("+x", 10.0, 3.0, 1.80, 1.25, 320)]
 PLINTHS = [(1.9, 3.0, 1.05, "bronze"), (7.4, 4.2, 0.95, "marble"), (7.4, 1.8, 0.90, "plaster")]
 TRACKS = [((0.6, 1.3), (9.4, 1.3)), ((0.6, 4.7), (9.4, 4.7)), ((3.4, 1.7), (3.4, 4.3)), ((6.6, 1.7), (6.6, 4.3))]
 
@@ -107,6 +107,6 @@ def make():
     _materials(project)
     files = gallery_lighting.light(project)
     for k, (_, _, _, width, height, pixels) in enumerate(PICTURES, 1):
-        files[f"picture_{k}.png"] = paintings.painting(k - 1, 2 * pixels, round(2 * pixels * height / width))
+        files[f"picture_{k}.png"] = paintings.painting(k - 1, pixels, round(pixels * height / width))
     _cameras_and_planes(project)
     return {"project": project, "model": model, "shell": shell, "title": "Gallery", "files": files}

@@ -5,13 +5,13 @@ import zlib
 
 
 def png(width, height, pixel):
-    """pixel(u, v) -> linear red, green, blue in 0..1; u to the right, v downward, both in 0..1."""
+    """pixel(u, v) -> linear red, green, blue, all within 0..1; u to the right, v downward, both in 0..1."""
     rows = bytearray()
     previous = bytes(3 * width)
     for j in range(height):
         row = bytearray()
         for i in range(width):
-            row += bytes(to_srgb8(c) for c in pixel((i + 0.5) / width, (j + 0.5) / height))
+            row += bytes(_SRGB8[int(c * _STEPS + 0.5)] for c in pixel((i + 0.5) / width, (j + 0.5) / height))
         rows.append(2)  # filter "up": each byte less the one above
         rows += bytes((a - b) & 255 for a, b in zip(row, previous))
         previous = row
@@ -24,10 +24,13 @@ def _chunk(kind, content):
     return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
 
 
-def to_srgb8(linear):
-    c = min(1.0, max(0.0, linear))
-    c = 12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055
+def _srgb8(linear):
+    c = 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055
     return int(255 * c + 0.5)
+
+
+_STEPS = 16383  # fine enough that no 8-bit code is skipped
+_SRGB8 = [_srgb8(i / _STEPS) for i in range(_STEPS + 1)]
 
 
 def png_pixels(content):

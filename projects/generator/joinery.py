@@ -45,6 +45,14 @@ def door(width, height, recess):
     return [("door_frame", lining), ("door", leaf)] + handle(w - 0.09, recess - 0.035)
 
 
+def architrave(width, height):
+    """The frame round an open doorway on one side of its wall."""
+    w = width / 2
+    outline = [(-w - 0.07, -0.002), (-w - 0.002, -0.002), (-w - 0.002, height + 0.002), (w + 0.002, height + 0.002),
+               (w + 0.002, -0.002), (w + 0.07, -0.002), (w + 0.07, height + 0.07), (-w - 0.07, height + 0.07)]
+    return [("door_frame", prism(outline, 0.0, 0.014).turned(rx=90).moved(y=0.002))]
+
+
 def double_door(width, height, recess):
     """Two leaves with bar handles in a recess, closed."""
     pieces = []

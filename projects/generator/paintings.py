@@ -2,6 +2,7 @@
 """Nine pictures for the gallery and a rug, from formulas. pixel(u, v), v downward, linear RGB."""
 import math
 import random
+from functools import lru_cache
 
 from .images import png
 
@@ -20,8 +21,9 @@ def _noise(seed):
         i, j = math.floor(x), math.floor(y)
         fx, fy = x - i, y - j
         sx, sy = fx * fx * (3 - 2 * fx), fy * fy * (3 - 2 * fy)
-        g = [[grid[(j + b) % 64][(i + a) % 64] for a in (0, 1)] for b in (0, 1)]
-        top, bottom = (row[0] + (row[1] - row[0]) * sx for row in g)
+        left, right, upper, lower = i % 64, (i + 1) % 64, grid[j % 64], grid[(j + 1) % 64]
+        top = upper[left] + (upper[right] - upper[left]) * sx
+        bottom = lower[left] + (lower[right] - lower[left]) * sx
         return top + (bottom - top) * sy
 
     return lambda x, y: (once(x, y) + 0.5 * once(2 * x, 2 * y) + 0.25 * once(4 * x, 4 * y)) / 1.75
@@ -29,14 +31,15 @@ def _noise(seed):
 
 def _dusk():
     """Hills under an evening sky."""
-    hill = _noise(1)
+    noise = _noise(1)
+    ridge = lru_cache(maxsize=None)(lambda u, k: (0.60, 0.70, 0.82)[k] + 0.09 * noise(3 * u + 7 * k, 0.5 + k))
 
     def pixel(u, v):
         colour = _mix((0.06, 0.10, 0.28), (0.78, 0.42, 0.16), v / 0.62)
         if math.hypot((u - 0.68) * 1.4, v - 0.47) < 0.075:
             colour = (0.85, 0.62, 0.30)
-        for k, base in enumerate((0.60, 0.70, 0.82)):
-            if v > base + 0.09 * hill(3 * u + 7 * k, 0.5 + k):
+        for k in range(3):
+            if v > ridge(u, k):
                 colour = _mix((0.22, 0.16, 0.26), (0.02, 0.03, 0.05), k / 2)
         return colour
     return pixel
@@ -80,8 +83,14 @@ def _cells():
              for _ in range(26)]
 
     def pixel(u, v):
-        near = sorted((math.hypot(u - x, v - y), c) for x, y, c in seeds)[:2]
-        return (0.75, 0.73, 0.68) if near[1][0] - near[0][0] < 0.012 else near[0][1]
+        first = second = (9.0, None)
+        for x, y, colour in seeds:
+            distance = math.hypot(u - x, v - y)
+            if distance < first[0]:
+                first, second = (distance, colour), first
+            elif distance < second[0]:
+                second = (distance, colour)
+        return (0.75, 0.73, 0.68) if second[0] - first[0] < 0.012 else first[1]
     return pixel
 
 
