@@ -11,6 +11,7 @@
 #include "core/geometry/corner_normals.h"
 #include "core/geometry/duplicates.h"
 #include "core/geometry/frame_origin.h"
+#include "core/geometry/orientation.h"
 #include "core/geometry/weld.h"
 #include "core/math/rng.h"
 
@@ -25,7 +26,13 @@ struct Work {
   std::vector<std::uint32_t> weld;  // per raw vertex, the first at its point
   std::vector<std::uint32_t> kept;
   std::vector<uvec3> corners;
+  std::vector<char> turned;  // corners run against the raw triangle: y and z change places
   CleaningReport report;
+
+  // The raw vertex at corner k of the i-th kept triangle.
+  [[nodiscard]] std::uint32_t vertex(std::size_t i, int k) const {
+    return raw.triangles[kept[i]][turned[i] != 0 && k > 0 ? 3 - k : k];
+  }
 
   // Keeps what `wanted(position in kept)` asks for, in order; returns how many went.
   template <class Predicate>
@@ -34,11 +41,13 @@ struct Work {
     for (std::size_t i = 0; i < kept.size(); ++i) {
       if (!wanted(i)) continue;
       kept[out] = kept[i];
+      turned[out] = turned[i];
       corners[out++] = corners[i];
     }
     const std::size_t gone = kept.size() - out;
     kept.resize(out);
     corners.resize(out);
+    turned.resize(out);
     return gone;
   }
 };
@@ -83,6 +92,7 @@ void weldCorners(Work& work) {
     const uvec3 t = raw.triangles[i];
     work.corners.emplace_back(work.weld[t.x], work.weld[t.y], work.weld[t.z]);
   }
+  work.turned.assign(work.kept.size(), 0);
   const double tolerance = weldTolerance(bounds);
   work.report.degenerate = work.keepIf([&](std::size_t i) {
     const uvec3 c = work.corners[i];
@@ -94,6 +104,15 @@ void weldCorners(Work& work) {
     const double twice_area = glm::length(glm::cross(b - a, d - a));
     return twice_area > tolerance * longest;  // height above the longest side
   });
+}
+
+void agreeOnFronts(Work& work) {
+  work.turned = findTurned(work.points, work.corners);
+  for (std::size_t i = 0; i < work.kept.size(); ++i) {
+    if (work.turned[i] == 0) continue;
+    std::swap(work.corners[i].y, work.corners[i].z);
+    ++work.report.turned;
+  }
 }
 
 void dropDuplicates(Work& work) {
@@ -108,16 +127,26 @@ vec3 givenNormal(const RawMesh& raw, std::uint32_t vertex) {
   return length > 0.0 && std::isfinite(length) ? vec3(n / length) : vec3(0.0F);
 }
 
+// Negates the normals of a triangle that mostly point to its back.
+void faceFront(const Work& work, std::size_t triangle, std::span<vec3> normals) {
+  const uvec3 c = work.corners[triangle];
+  const dvec3 a(work.points[c.x]);
+  const dvec3 face = glm::cross(dvec3(work.points[c.y]) - a, dvec3(work.points[c.z]) - a);
+  if (glm::dot(dvec3(normals[0]) + dvec3(normals[1]) + dvec3(normals[2]), face) >= 0.0) return;
+  for (vec3& n : normals) n = -n;
+}
+
 // The normal of every corner: the file's, or made where that is missing.
 std::vector<vec3> normalsOfCorners(Work& work, double crease_deg) {
   std::vector<vec3> normals(3 * work.kept.size());
   std::vector<char> lacks(work.kept.size(), 0);
   for (std::size_t i = 0; i < work.kept.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
-      const vec3 n = givenNormal(work.raw, work.raw.triangles[work.kept[i]][k]);
+      const vec3 n = givenNormal(work.raw, work.vertex(i, k));
       normals[3 * i + static_cast<std::size_t>(k)] = n;
       if (n == vec3(0.0F)) lacks[i] = 1;
     }
+    faceFront(work, i, std::span(normals).subspan(3 * i, 3));
   }
   work.report.made_normals =
       static_cast<std::size_t>(std::count(lacks.begin(), lacks.end(), char{1}));
@@ -184,7 +213,7 @@ Mesh assemble(const Work& work, std::span<const vec3> normals) {
     uvec3 out{};
     for (int k = 0; k < 3; ++k) {
       const std::uint32_t point = work.corners[i][k];
-      vec2 uv = raw.uvs.empty() ? vec2(0.0F) : raw.uvs[raw.triangles[source][k]];
+      vec2 uv = raw.uvs.empty() ? vec2(0.0F) : raw.uvs[work.vertex(i, k)];
       if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) uv = vec2(0.0F);
       out[k] =
           table.vertex(point, work.points[point], normals[3 * i + static_cast<std::size_t>(k)], uv);
@@ -206,6 +235,7 @@ CleanedMesh cleanMesh(const RawMesh& raw, double crease_deg) {
   work.report.vertices_in = raw.positions.size();
   dropNonFinite(work);
   weldCorners(work);
+  agreeOnFronts(work);
   dropDuplicates(work);
   const std::vector<vec3> normals = normalsOfCorners(work, crease_deg);
   CleanedMesh out{.mesh = assemble(work, normals), .report = work.report};

@@ -30,6 +30,7 @@ struct CleaningReport {
   std::size_t non_finite = 0;    ///< dropped: a corner is infinite or not a number
   std::size_t degenerate = 0;    ///< dropped: no area at the model's scale
   std::size_t duplicate = 0;     ///< dropped: another triangle has the same three corners
+  std::size_t turned = 0;        ///< turned over, to agree with their neighbors
   std::size_t made_normals = 0;  ///< triangles of which at least one corner had no normal
   std::size_t vertices_in = 0;   ///< vertices
   std::size_t vertices_out = 0;  ///< vertices
@@ -50,9 +51,11 @@ struct CleanedMesh {
 ///   in one point, or lower than the weld tolerance); duplicates, i.e. the same three points in
 ///   any order. Two faces of opposite winding stay if each closes a solid of its own: cabinets
 ///   side by side keep their touching walls.
+/// - Where the triangles of a part are wound in different ways, they are made to agree
+///   (orientation.h): solids get their fronts outward.
 /// - Missing normals are made: the mean of the faces about the point, weighted by the angle they
 ///   have there, over faces of the same object within `crease_deg` of the corner's own face.
-///   Given normals are scaled to unit length.
+///   Given normals are scaled to unit length, and negated where they point to a triangle's back.
 /// - Mesh::origin is (0,0,0) unless the model lies so far out that single precision would hurt:
 ///   farther than 10 km, or than 1 km and 100 times its diagonal; then its center in whole metres.
 ///

@@ -6,19 +6,11 @@
 #include <numeric>
 #include <span>
 
+#include "core/geometry/edge_sides.h"
 #include "core/geometry/weld.h"
 
 namespace soffit::geometry {
 namespace {
-
-// One side of a triangle. lo < hi are welded points; forward: the triangle runs from lo to hi.
-struct Side {
-  std::uint32_t lo;
-  std::uint32_t hi;
-  std::uint32_t triangle;
-  std::uint32_t apex;  // the third point
-  bool forward;
-};
 
 struct DisjointSets {
   std::vector<std::uint32_t> parent;
@@ -35,44 +27,19 @@ struct DisjointSets {
   }
 };
 
-std::vector<Side> sortedSides(const Mesh& mesh, std::span<const std::uint32_t> point_of,
-                              std::vector<char>& open) {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const uvec3 v = mesh.triangles[t];
-    const std::uint32_t p[3] = {point_of[v.x], point_of[v.y], point_of[v.z]};
-    if (p[0] == p[1] || p[1] == p[2] || p[2] == p[0]) {
-      open[t] = 1;
-      continue;
-    }
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = p[k];
-      const std::uint32_t b = p[(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), t, p[(k + 2) % 3], a < b});
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-    if (a.lo != b.lo) return a.lo < b.lo;
-    if (a.hi != b.hi) return a.hi < b.hi;
-    return a.triangle < b.triangle;
-  });
-  return sides;
-}
-
 // A side with the angle of its triangle about the edge, counter-clockwise seen from hi.
 struct Spoke {
   double angle;
-  const Side* side;
+  const EdgeSide* side;
   // Fronts outward, a triangle running lo to hi has its solid on the clockwise side: going
   // counter-clockwise the solid ends there.
   [[nodiscard]] bool ends() const { return side->forward; }
 };
 
-std::vector<Spoke> spokesAround(const Mesh& mesh, std::span<const Side> sides) {
+std::vector<Spoke> spokesAround(const Mesh& mesh, std::span<const EdgeSide> sides) {
   const dvec3 lo(mesh.positions[sides[0].lo]);
   const dvec3 axis = glm::normalize(dvec3(mesh.positions[sides[0].hi]) - lo);
-  const auto away = [&](const Side& side) {
+  const auto away = [&](const EdgeSide& side) {
     const dvec3 w = dvec3(mesh.positions[side.apex]) - lo;
     return w - glm::dot(w, axis) * axis;
   };
@@ -80,7 +47,7 @@ std::vector<Spoke> spokesAround(const Mesh& mesh, std::span<const Side> sides) {
   const dvec3 y = glm::cross(axis, x);
   std::vector<Spoke> spokes;
   spokes.reserve(sides.size());
-  for (const Side& side : sides) {
+  for (const EdgeSide& side : sides) {
     const dvec3 w = away(side);
     spokes.push_back({std::atan2(glm::dot(w, y), glm::dot(w, x)), &side});
   }
@@ -93,7 +60,7 @@ std::vector<Spoke> spokesAround(const Mesh& mesh, std::span<const Side> sides) {
 // Spokes in counter-clockwise order, started after the widest gap, so that no group of coincident
 // triangles straddles the start; inside such a group solids end before others begin, which leaves
 // two solids in contact apart.
-std::vector<Spoke> orderedSpokes(const Mesh& mesh, std::span<const Side> sides) {
+std::vector<Spoke> orderedSpokes(const Mesh& mesh, std::span<const EdgeSide> sides) {
   constexpr double kCoincident = 1e-4;  // radians: far above rounding, far below a modeled angle
   std::vector<Spoke> spokes = spokesAround(mesh, sides);
   std::size_t start = 0;
@@ -117,7 +84,7 @@ std::vector<Spoke> orderedSpokes(const Mesh& mesh, std::span<const Side> sides) 
 }
 
 // Joins what meets at one edge and marks triangles whose side stays without a partner.
-void joinEdge(const Mesh& mesh, std::span<const Side> sides, DisjointSets& sets,
+void joinEdge(const Mesh& mesh, std::span<const EdgeSide> sides, DisjointSets& sets,
               std::vector<char>& open, std::vector<char>& twisted) {
   if (sides.size() == 1) {
     open[sides[0].triangle] = 1;
@@ -191,19 +158,19 @@ double solidAngle(const dvec3& a, const dvec3& b, const dvec3& c) {
 Components findComponents(const Mesh& mesh) {
   const std::size_t n = mesh.triangles.size();
   std::vector<std::uint32_t> point_of = weldPositions(mesh.positions, weldTolerance(mesh.bounds()));
+  std::vector<uvec3> welded(n);
   std::vector<char> open(n, 0);
   std::vector<char> twisted(n, 0);
-  DisjointSets sets(n);
-  const std::vector<Side> sides = sortedSides(mesh, point_of, open);
-  for (std::size_t first = 0; first < sides.size();) {
-    std::size_t last = first + 1;
-    while (last < sides.size() && sides[last].lo == sides[first].lo &&
-           sides[last].hi == sides[first].hi) {
-      ++last;
-    }
-    joinEdge(mesh, std::span(sides).subspan(first, last - first), sets, open, twisted);
-    first = last;
+  for (std::size_t t = 0; t < n; ++t) {
+    const uvec3 v = mesh.triangles[t];
+    welded[t] = {point_of[v.x], point_of[v.y], point_of[v.z]};
+    const uvec3 p = welded[t];
+    if (p.x == p.y || p.y == p.z || p.z == p.x) open[t] = 1;
   }
+  DisjointSets sets(n);
+  const std::vector<EdgeSide> sides = sortedEdgeSides(welded);
+  forEachEdge(sides,
+              [&](std::span<const EdgeSide> edge) { joinEdge(mesh, edge, sets, open, twisted); });
   Components out = collect(mesh, sets);
   out.point_of = std::move(point_of);
   for (Component& component : out.list) {
