@@ -33,9 +33,11 @@ Result<std::shared_ptr<const T>> shared(Result<T> result) {
 }  // namespace
 
 Result<std::shared_ptr<const LoadedModel>> AssetCache::model(const std::string& file, double unit,
-                                                             char up) {
-  return cached(models_, fmt::format("{}|{}|{}", up, unit, file), file, folder_,
-                [&](const auto& path) { return shared(loadModel(path, unit, up)); });
+                                                             std::optional<char> up,
+                                                             const Job& job) {
+  const std::string key = fmt::format("{}|{}|{}", up.value_or('-'), unit, file);
+  return cached(models_, key, file, folder_,
+                [&](const auto& path) { return shared(loadModel(path, folder_, unit, up, job)); });
 }
 
 Result<std::shared_ptr<const LoadedPhotometry>> AssetCache::photometry(const std::string& file) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ class AssetCache {
  public:
   explicit AssetCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  Result<std::shared_ptr<const LoadedModel>> model(const std::string& file, double unit, char up);
+  Result<std::shared_ptr<const LoadedModel>> model(const std::string& file, double unit,
+                                                   std::optional<char> up, const Job& job = {});
   Result<std::shared_ptr<const LoadedPhotometry>> photometry(const std::string& file);
   Result<std::shared_ptr<const scene::Image>> image(const std::string& file, ImageUse use);
 

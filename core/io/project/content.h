@@ -63,6 +63,8 @@ scene::WorkPlane readWorkPlane(const Json& value, const std::string& path, Repor
 scene::View readView(const Json& value, const std::string& path, Report& report);
 scene::Quality readQuality(const Json& value, const std::string& path, Report& report);
 GeometryEntry readGeometryEntry(const Json& value, const std::string& path, Report& report);
+/// The member "up" of an object: 'y' or 'z', nothing when it is absent.
+std::optional<char> readUp(ObjectReader& reader, Report& report);
 /// The description for reports; `image` receives the probe's file.
 scene::Environment readEnvironment(const Json& value, const std::string& path, Report& report,
                                    std::string& image);

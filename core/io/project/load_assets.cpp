@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <variant>
 
@@ -68,7 +69,9 @@ class LuminaireFiles {
   void load(light::Shape& shape, const std::string& path) {
     auto* mesh = std::get_if<light::MeshShape>(&shape);
     if (mesh == nullptr) return;
-    const auto model = assets_.model(mesh->file, mesh->unit, mesh->up);
+    const auto model = assets_.model(
+        mesh->file, mesh->unit,
+        mesh->up == light::kUpAsInFile ? std::nullopt : std::optional<char>(mesh->up));
     if (!model) return report_.failAt(path + ".shape.mesh", model.error());
     mesh->mesh = (*model)->mesh;
   }

@@ -22,7 +22,7 @@ bool sameEntries(const std::vector<GeometryEntry>& a, const std::vector<Geometry
 /// A map's path as the model has it, relative to the project.
 std::string besideModel(const std::string& model, const std::string& map) {
   if (map.empty()) return map;
-  return (std::filesystem::path(model).parent_path() / map).lexically_normal().string();
+  return (std::filesystem::path(model).parent_path() / map).lexically_normal().generic_string();
 }
 
 /// Takes the model's materials over, the first of a name wins.
@@ -55,7 +55,7 @@ std::shared_ptr<const MergedGeometry> loadGeometry(const std::vector<GeometryEnt
   for (std::size_t i = 0; i < entries.size(); ++i) {
     job.report("reading models", static_cast<double>(i) / static_cast<double>(entries.size()));
     const GeometryEntry& entry = entries[i];
-    const auto model = assets.model(entry.file, entry.unit, entry.up);
+    const auto model = assets.model(entry.file, entry.unit, entry.up, job);
     if (!model) {
       report.failAt(fmt::format("geometry[{}].file", i), model.error());
       return nullptr;

@@ -32,17 +32,6 @@ light::Polygon readPolygon(const Json& value, const std::string& path, Report& r
   return polygon;
 }
 
-char readUp(ObjectReader& reader, Report& report) {
-  std::string up = "z";
-  reader.read("up", up);
-  if (up != "y" && up != "z") {
-    report.fail(reader.pathOf("up"), fmt::format("expected \"y\" or \"z\", found \"{}\"", up),
-                "Name the axis of the file that points up.");
-    return 'z';
-  }
-  return up.front();
-}
-
 light::Shape readMesh(ObjectReader& reader, Report& report) {
   light::MeshShape mesh;
   reader.read("mesh", mesh.file);
@@ -51,7 +40,7 @@ light::Shape readMesh(ObjectReader& reader, Report& report) {
     report.fail(reader.pathOf("unit"), fmt::format("expected metres above 0, found {}", mesh.unit),
                 "Use 0.001 for a file in millimetres.");
   }
-  mesh.up = readUp(reader, report);
+  mesh.up = readUp(reader, report).value_or(light::kUpAsInFile);
   return mesh;
 }
 

@@ -27,7 +27,7 @@ struct ShapeWriter {
   Json operator()(const light::MeshShape& shape) const {
     Json json = Json::object({{"mesh", shape.file}});
     if (shape.unit != 1.0) json["unit"] = shape.unit;
-    if (shape.up != 'z') json["up"] = std::string(1, shape.up);
+    if (shape.up != light::kUpAsInFile) json["up"] = std::string(1, shape.up);
     return json;
   }
 };

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,9 @@ namespace soffit::io {
 /// One file of architecture or furniture and where it stands:
 /// v_world = translate + Rz Ry Rx (scale * unit * v_file), after the file's up axis became z.
 struct GeometryEntry {
-  std::string file;   ///< relative to the project
-  double unit = 1.0;  ///< metres per unit of the file, above 0
-  char up = 'z';      ///< 'y' or 'z'
+  std::string file;        ///< relative to the project
+  double unit = 1.0;       ///< metres per unit of the file, above 0
+  std::optional<char> up;  ///< 'y' or 'z'; absent: what the file or its format says
   dvec3 translate{0.0};
   dvec3 rotate_deg{0.0};
   double scale = 1.0;  ///< above 0

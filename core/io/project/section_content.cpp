@@ -75,6 +75,16 @@ scene::Glass readGlass(const Json& value, const std::string& path, Report& repor
 
 }  // namespace
 
+std::optional<char> readUp(ObjectReader& reader, Report& report) {
+  std::optional<std::string> up;
+  reader.read("up", up);
+  if (!up) return std::nullopt;
+  if (*up == "y" || *up == "z") return up->front();
+  report.fail(reader.pathOf("up"), fmt::format("expected \"y\" or \"z\", found \"{}\"", *up),
+              "Name the axis of the file that points up.");
+  return std::nullopt;
+}
+
 GeometryEntry readGeometryEntry(const Json& value, const std::string& path, Report& report) {
   GeometryEntry entry;
   ObjectReader reader(value, path, report);
@@ -82,13 +92,7 @@ GeometryEntry readGeometryEntry(const Json& value, const std::string& path, Repo
   reader.read("file", entry.file);
   reader.read("unit", entry.unit);
   checkPositive(reader, "unit", entry.unit, report);
-  std::string up = "z";
-  reader.read("up", up);
-  if (up != "y" && up != "z") {
-    report.fail(reader.pathOf("up"), fmt::format("expected \"y\" or \"z\", found \"{}\"", up),
-                "Name the axis of the file that points up.");
-  }
-  entry.up = up == "y" ? 'y' : 'z';
+  entry.up = readUp(reader, report);
   reader.read("translate", entry.translate);
   reader.read("rotate", entry.rotate_deg);
   reader.read("scale", entry.scale);

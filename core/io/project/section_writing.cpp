@@ -19,7 +19,7 @@ Json toJson(const scene::Quality& quality) {
 Json toJson(const GeometryEntry& entry) {
   Json json = Json::object({{"file", entry.file}});
   if (entry.unit != 1.0) json["unit"] = entry.unit;
-  json["up"] = std::string(1, entry.up);
+  if (entry.up) json["up"] = std::string(1, *entry.up);
   if (entry.translate != dvec3(0.0)) json["translate"] = toJson(entry.translate);
   if (entry.rotate_deg != dvec3(0.0)) json["rotate"] = toJson(entry.rotate_deg);
   if (entry.scale != 1.0) json["scale"] = entry.scale;
