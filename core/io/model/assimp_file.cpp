@@ -3,7 +3,6 @@
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/config.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
 #include <assimp/ProgressHandler.hpp>
@@ -81,7 +80,7 @@ const char* remedy(ModelFormat format) {
   return "Export the model again, or to another format such as glTF or OBJ";
 }
 
-// Assimp's own steps trust these references; files may lie.
+// What the conversion trusts; files may lie.
 bool referencesHold(const aiScene& scene) {
   for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
     const aiMesh& mesh = *scene.mMeshes[m];
@@ -142,9 +141,6 @@ struct AssimpFile::Impl {
                    "is damaged: it refers to vertices, materials or meshes that it "
                    "does not contain",
                    remedy(format)};
-    }
-    if (importer.ApplyPostProcessing(aiProcess_Triangulate) == nullptr) {
-      return Error{file.string(), "its polygons cannot be cut into triangles", remedy(format)};
     }
     return {};
   }

@@ -13,8 +13,8 @@ struct aiScene;
 
 namespace soffit::io {
 
-/// A model file as Assimp reads it: checked, in triangles (and points and lines), alive as long
-/// as this object.
+/// A model file as Assimp reads it, with checked references; faces may have any number of corners
+/// (Assimp's own triangulation aborts on faces without any). Alive as long as this object.
 class AssimpFile {
  public:
   /// keep_axes  do not turn a Collada file to its stated up axis.

@@ -15,6 +15,7 @@
 #include "core/io/model/material_conversion.h"
 #include "core/io/model/model_format.h"
 #include "core/io/model/mtl_colors.h"
+#include "core/io/model/ply_header.h"
 #include "core/io/model/scene_conversion.h"
 
 namespace soffit::io {
@@ -50,6 +51,10 @@ Result<ModelFormat> check(const fs::path& file, const ImportOptions& options) {
                  "Readable are OBJ, glTF, GLB, PLY, STL, 3DS, FBX, DAE and IFC");
   }
   if (!std::ifstream(file)) return wrong("cannot be opened", "Check the access rights");
+  if (*format == ModelFormat::kPly) {
+    const std::string problem = plyHeaderProblem(file);
+    if (!problem.empty()) return wrong(problem.c_str(), "Export the model again");
+  }
   return *format;
 }
 

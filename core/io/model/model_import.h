@@ -51,11 +51,11 @@ struct ImportedModel {
   geometry::CleaningReport cleaning;
   std::vector<EmbeddedTexture> embedded_textures;
   std::vector<std::filesystem::path> side_files;  ///< opened besides the model: MTL, BIN
-  std::size_t points = 0;             ///< left out
-  std::size_t lines = 0;              ///< left out
-  std::size_t lights = 0;             ///< ignored
-  std::size_t cameras = 0;            ///< ignored
-  std::vector<std::string> warnings;  ///< one line each, for the user
+  std::size_t points = 0;                         ///< left out
+  std::size_t lines = 0;                          ///< left out
+  std::size_t lights = 0;                         ///< ignored
+  std::size_t cameras = 0;                        ///< ignored
+  std::vector<std::string> warnings;              ///< one line each, for the user
 };
 
 /// Reads a model file with all nodes, materials and names, cleans it (geometry/cleaning.h) and

@@ -7,8 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "core/geometry/polygon.h"
 
 namespace soffit::io {
 namespace {
@@ -53,7 +57,11 @@ class Converter {
 
  private:
   void addVertices(const aiMesh& mesh, const glm::dmat4& world_from_mesh);
+  // A face of at least three corners, as triangles of raw vertices.
+  std::span<const uvec3> trianglesOf(std::span<const unsigned> face, std::uint32_t first);
 
+  std::vector<dvec3> corners_;    // of the face in hand
+  std::vector<uvec3> triangles_;  // likewise
   ConvertedScene out_;
   bool any_uv_ = false;
 };
@@ -82,6 +90,18 @@ void Converter::addVertices(const aiMesh& mesh, const glm::dmat4& world_from_mes
   any_uv_ = any_uv_ || with_uv;
 }
 
+std::span<const uvec3> Converter::trianglesOf(std::span<const unsigned> face, std::uint32_t first) {
+  triangles_.assign(1, {face[0], face[1], face[2]});
+  if (face.size() > 3) {
+    corners_.clear();
+    for (const unsigned v : face) corners_.push_back(out_.raw.positions[first + v]);
+    triangles_ = geometry::triangulatePolygon(corners_);
+    for (uvec3& t : triangles_) t = {face[t.x], face[t.y], face[t.z]};
+  }
+  for (uvec3& t : triangles_) t += first;
+  return triangles_;
+}
+
 bool Converter::add(const aiMesh& mesh, const glm::dmat4& world_from_mesh) {
   geometry::RawMesh& raw = out_.raw;
   // Three corners each, so 32-bit vertex numbers hold as well.
@@ -96,12 +116,14 @@ bool Converter::add(const aiMesh& mesh, const glm::dmat4& world_from_mesh) {
     const aiFace& face = mesh.mFaces[f];
     if (face.mNumIndices == 1) ++out_.points;
     if (face.mNumIndices == 2) ++out_.lines;
-    if (face.mNumIndices != 3) continue;
-    uvec3 t(face.mIndices[0], face.mIndices[1], face.mIndices[2]);
-    if (mirrored) std::swap(t.y, t.z);
-    raw.triangles.push_back(t + first);
-    raw.material_of.push_back(mesh.mMaterialIndex);
-    raw.object_of.push_back(static_cast<std::uint32_t>(raw.objects.size() - 1));
+    if (face.mNumIndices < 3) continue;
+    const std::span<const unsigned> corners(face.mIndices, face.mNumIndices);
+    for (uvec3 t : trianglesOf(corners, first)) {
+      if (mirrored) std::swap(t.y, t.z);
+      raw.triangles.push_back(t);
+      raw.material_of.push_back(mesh.mMaterialIndex);
+      raw.object_of.push_back(static_cast<std::uint32_t>(raw.objects.size() - 1));
+    }
   }
   return true;
 }
