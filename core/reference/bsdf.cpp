@@ -61,7 +61,7 @@ dvec3 visibleNormal(double alpha, const dvec3& wo, const dvec2& u) {
   orthonormalBasis(v, t1, t2);
   // Any tangent pair will do for the disk if its lower half is squeezed along the one that tilts
   // toward the pole; that needs t1 horizontal.
-  const double horizontal = std::hypot(v.x, v.y);
+  const double horizontal = std::sqrt(v.x * v.x + v.y * v.y);
   if (horizontal > 1e-12) {
     t1 = dvec3(-v.y, v.x, 0.0) / horizontal;
     t2 = glm::cross(v, t1);

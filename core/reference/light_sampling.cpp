@@ -23,7 +23,7 @@ bool behind(const Emitter& e, const dvec3& y) {
 /// Measured light is left out: it shines along its surface, where solid angle vanishes.
 bool bySolidAngle(const LightShape& light, const dvec3& y) {
   if (!light.isRectangle() || light.emitter().table != nullptr) return false;
-  constexpr double kNear = 10.0;    // bounding radii
+  constexpr double kNear = 4.0;     // bounding radii: two diagonals
   constexpr double kHeight = 2e-3;  // bounding radii
   const double height = std::abs(glm::dot(y - light.corner(), light.emitter().normal));
   return height > kHeight * light.radius() &&

@@ -38,13 +38,27 @@ constexpr Directions directions(unsigned a, const std::array<std::uint32_t, S>& 
   return v;
 }
 
-constexpr Directions kSecond = directions<1>(0, {1});
-constexpr Directions kThird = directions<2>(1, {1, 3});
+/// The exclusive or of the direction numbers of an index's bits, byte by byte.
+using Table = std::array<std::array<std::uint32_t, 256>, 4>;
 
-std::uint32_t combine(const Directions& v, std::uint32_t index) {
-  std::uint32_t x = 0;
-  for (int k = 0; index != 0; ++k, index >>= 1U) x ^= v[k] & (0U - (index & 1U));
-  return x;
+constexpr Table tableOf(const Directions& v) {
+  Table table{};
+  for (std::size_t byte = 0; byte < 4; ++byte) {
+    for (std::uint32_t bits = 0; bits < 256; ++bits) {
+      for (std::size_t k = 0; k < 8; ++k) {
+        if (((bits >> k) & 1U) != 0) table[byte][bits] ^= v[8 * byte + k];
+      }
+    }
+  }
+  return table;
+}
+
+constexpr Table kSecond = tableOf(directions<1>(0, {1}));
+constexpr Table kThird = tableOf(directions<2>(1, {1, 3}));
+
+std::uint32_t combine(const Table& table, std::uint32_t index) {
+  return table[0][index & 255U] ^ table[1][(index >> 8U) & 255U] ^ table[2][(index >> 16U) & 255U] ^
+         table[3][index >> 24U];
 }
 
 /// A random permutation that respects the binary tree of the leading bits, for reversed bits

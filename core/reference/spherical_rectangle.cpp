@@ -5,6 +5,14 @@
 #include <cmath>
 
 namespace soffit::reference {
+namespace {
+
+/// Lengths here are metres, far from where squares overflow: no need of hypot's care.
+double root(double a, double b) {
+  return std::sqrt(a * a + b * b);
+}
+
+}  // namespace
 
 SphericalRectangle::SphericalRectangle(const dvec3& corner, const dvec3& edge_x,
                                        const dvec3& edge_y, const dvec3& y)
@@ -27,9 +35,7 @@ SphericalRectangle::SphericalRectangle(const dvec3& corner, const dvec3& edge_x,
   y1_ = y0_ + height;
   // The planes through y and each edge have normals with z components b (before and after in
   // turn: bottom, right, top, left); their angles give the solid angle by Girard's theorem.
-  const auto zOfNormal = [](double in_plane, double z) {
-    return in_plane / std::hypot(in_plane, z);
-  };
+  const auto zOfNormal = [](double in_plane, double z) { return in_plane / root(in_plane, z); };
   const double bottom = -zOfNormal(y0_, z0_);
   const double right = zOfNormal(x1_, z0_);
   const double top = zOfNormal(y1_, z0_);
@@ -50,9 +56,9 @@ dvec3 SphericalRectangle::sample(const dvec2& u) const {
   const double cu = std::clamp(std::copysign(1.0 / std::sqrt(fu * fu + b0_ * b0_), fu), -1.0, 1.0);
   const double sine = std::sqrt(std::max(1.0 - cu * cu, 1e-300));
   const double x = std::clamp(-(cu * z0_) / sine, x0_, x1_);
-  const double d = std::hypot(x, z0_);
-  const double h0 = y0_ / std::hypot(d, y0_);
-  const double h1 = y1_ / std::hypot(d, y1_);
+  const double d = root(x, z0_);
+  const double h0 = y0_ / root(d, y0_);
+  const double h1 = y1_ / root(d, y1_);
   const double h = h0 + u.y * (h1 - h0);
   const double h_squared = h * h;
   const double y = h_squared < 1.0 - 1e-12 ? h * d / std::sqrt(1.0 - h_squared) : y1_;

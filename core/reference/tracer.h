@@ -27,7 +27,7 @@ struct Tally {
 /// surface that is met with density p_a by choosing points and p_b by following the surface's (or
 /// the sensor's) own directions contributes f I cos / (d^2 (p_a + p_b)) either way, so that
 /// neither a near emitter nor a sharp reflection gives rare bright samples. Mirrors follow the ray
-/// alone. Russian roulette by the albedo from the second bounce on; no bound on the bounces.
+/// alone. Russian roulette by the albedo from the third bounce on; no bound on the bounces.
 class Tracer {
  public:
   /// origin: where rays start (placeSensors()). The scene must outlive the tracer.
