@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/render/camera_frame.h"
+#include "core/render/film.h"
+#include "core/render/first_hit.h"
+#include "core/render/illumination_batch.h"
+#include "core/render/reflector.h"
+#include "core/render/render_options.h"
+
+#include <span>
+#include <vector>
+
+namespace soffit::render {
+
+/// A pixel to be rendered, and how.
+struct PixelTask {
+  int x = 0;
+  int y = 0;
+  bool share = true;  ///< samples that see the same place share one evaluation of the light
+};
+
+/// Memory of a TileRenderer, kept between tiles.
+struct TileScratch {
+  /// Samples of one pixel that see the same place.
+  struct Group {
+    std::uint32_t first = 0;  ///< its first sample
+    std::uint32_t count = 0;
+    vec3 normals{0.0F};       ///< sum of the shading normals
+    std::uint32_t light = 0;  ///< index in `batch`
+  };
+  std::vector<geometry::Ray> rays;
+  std::vector<geometry::Hit> hits;
+  std::vector<FirstHit> first;
+  std::vector<SurfaceSample> samples;   ///< per ray; where a surface was met
+  std::vector<std::uint32_t> group_of;  ///< per ray
+  std::vector<Group> groups;
+  std::vector<std::uint32_t> first_group;  ///< per pixel and one past the last
+  std::vector<SurfaceSample> mirror_samples;
+  std::vector<std::uint32_t> mirror_counts;
+  std::vector<ReflectingPixel> mirrors;
+  std::vector<PixelTask> tasks;
+  IlluminationBatch batch;
+  ReflectorScratch reflector;
+};
+
+/// Renders a handful of pixels at once: rays, light, film. Stateless but for its scratch.
+class TileRenderer {
+ public:
+  TileRenderer(const ViewScene& scene, const CameraFrame& camera, const Illumination& illumination,
+               const RenderOptions& options);
+
+  /// Renders the pixels with the samples of a pattern (pixelPattern()). Writes the film's pixels;
+  /// and the layer's, unless it is null or has no pixels.
+  void render(std::span<const PixelTask> tasks, std::span<const vec2> pattern, TileScratch& scratch,
+              Film& film, SpecularLayer* layer) const;
+
+ private:
+  void trace(std::span<const PixelTask> tasks, std::span<const vec2> pattern, TileScratch& s) const;
+  void groupSamples(std::span<const PixelTask> tasks, std::size_t per_pixel, TileScratch& s) const;
+  void resolve(const PixelTask& task, std::size_t pixel, std::size_t per_pixel,
+               const TileScratch& s, Film& film) const;
+  void reflect(std::span<const PixelTask> tasks, std::size_t per_pixel, TileScratch& s,
+               const Film& film, SpecularLayer& layer) const;
+
+  const ViewScene& scene_;
+  const CameraFrame& camera_;
+  const RenderOptions& options_;
+  const Illumination& illumination_;
+  Reflector reflector_;
+};
+
+}  // namespace soffit::render
