@@ -30,9 +30,11 @@ double cosineIntegral(std::span<const double> knots_deg, const Value& value) {
   for (std::size_t i = 0; i + 1 < knots_deg.size(); ++i) {
     const double x0 = radians(knots_deg[i]);
     const double x1 = radians(knots_deg[i + 1]);
-    const double slope = (value(i + 1) - value(i)) / (x1 - x0);
-    sum += value(i + 1) * std::sin(x1) - value(i) * std::sin(x0) +
-           slope * (std::cos(x1) - std::cos(x0));
+    // (cos x₀ - cos x₁)/(x₁ - x₀) without cancellation, as sin of the middle times a sinc.
+    const double half = (x1 - x0) / 2.0;
+    const double mean_sine = std::sin((x0 + x1) / 2.0) * (half > 0.0 ? std::sin(half) / half : 1.0);
+    sum += value(i + 1) * std::sin(x1) - value(i) * std::sin(x0) -
+           (value(i + 1) - value(i)) * mean_sine;
   }
   return sum;
 }

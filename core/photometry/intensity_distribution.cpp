@@ -20,15 +20,18 @@ double lerp(double a, double b, double t) {
 }
 
 /// ∫ I(γ) sin γ dγ over one plane for I linear between the knots (radians inside):
-/// per interval I₀ cos γ₀ - I₁ cos γ₁ + (I₁ - I₀)/(γ₁ - γ₀) (sin γ₁ - sin γ₀).
+/// per interval I₀ cos γ₀ - I₁ cos γ₁ + (I₁ - I₀)/(γ₁ - γ₀) (sin γ₁ - sin γ₀). The quotient of
+/// sines is written as cos of the middle times sinc of half the step, which does not cancel.
 double planeIntegral(std::span<const double> gamma_deg, std::span<const double> candela) {
   double sum = 0.0;
   for (std::size_t i = 0; i + 1 < gamma_deg.size(); ++i) {
     const double g0 = radians(gamma_deg[i]);
     const double g1 = radians(gamma_deg[i + 1]);
-    const double slope = (candela[i + 1] - candela[i]) / (g1 - g0);
+    const double half = (g1 - g0) / 2.0;
+    const double mean_cosine =
+        std::cos((g0 + g1) / 2.0) * (half > 0.0 ? std::sin(half) / half : 1.0);
     sum += candela[i] * std::cos(g0) - candela[i + 1] * std::cos(g1) +
-           slope * (std::sin(g1) - std::sin(g0));
+           (candela[i + 1] - candela[i]) * mean_cosine;
   }
   return sum;
 }

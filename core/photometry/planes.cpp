@@ -84,6 +84,24 @@ void startAtZero(IntensityDistribution& d) {
   d.candela.insert(d.candela.begin(), row.begin(), row.end());
 }
 
+std::pair<double, double> storedRange(Mirror mirror) {
+  if (mirror == Mirror::both) return {0.0, 90.0};
+  return mirror == Mirror::c0 ? std::pair{0.0, 180.0} : std::pair{90.0, 270.0};
+}
+
+StoredPlanes planesWithin(const IntensityDistribution& d, std::pair<double, double> range) {
+  StoredPlanes part;
+  part.gamma_deg = d.gamma_deg;
+  const auto columns = static_cast<std::ptrdiff_t>(d.gamma_deg.size());
+  for (std::size_t i = 0; i < d.c_deg.size(); ++i) {
+    if (d.c_deg[i] < range.first || d.c_deg[i] > range.second) continue;
+    const auto row = d.candela.begin() + static_cast<std::ptrdiff_t>(i) * columns;
+    part.c_deg.push_back(d.c_deg[i]);
+    part.candela.insert(part.candela.end(), row, row + columns);
+  }
+  return part;
+}
+
 }  // namespace
 
 IntensityDistribution unfold(const StoredPlanes& stored, Mirror mirror) {
@@ -106,6 +124,18 @@ IntensityDistribution unfold(const StoredPlanes& stored, Mirror mirror) {
   }
   startAtZero(d);
   return d;
+}
+
+std::pair<StoredPlanes, Mirror> fold(const IntensityDistribution& distribution) {
+  for (const Mirror mirror : {Mirror::both, Mirror::c0, Mirror::c90}) {
+    StoredPlanes part = planesWithin(distribution, storedRange(mirror));
+    if (part.c_deg.size() < 2) continue;
+    const IntensityDistribution whole = unfold(part, mirror);
+    if (whole.c_deg == distribution.c_deg && whole.candela == distribution.candela) {
+      return {std::move(part), mirror};
+    }
+  }
+  return {planesWithin(distribution, {0.0, 360.0}), Mirror::none};
 }
 
 }  // namespace soffit::photometry

@@ -3,6 +3,7 @@
 
 #include "core/photometry/intensity_distribution.h"
 
+#include <utility>
 #include <vector>
 
 /// From the C-planes that a file stores to the whole circle that a distribution holds.
@@ -28,5 +29,9 @@ struct StoredPlanes {
 /// the lumens: a plane given at both 0 and 360 becomes their mean weighted by the neighbouring
 /// gaps, and a circle without C0 gets one by interpolation. One plane means axial symmetry.
 IntensityDistribution unfold(const StoredPlanes& stored, Mirror mirror);
+
+/// The fewest planes, and their mirror, that unfold() turns into the same distribution again, to
+/// the bit. Without symmetry they are all planes, not closed at 360.
+std::pair<StoredPlanes, Mirror> fold(const IntensityDistribution& distribution);
 
 }  // namespace soffit::photometry

@@ -92,6 +92,14 @@ TEST(IntensityDistribution, OutsideItsGammaRangeItIsDark) {
   EXPECT_EQ(up.intensity({0, 0, 1}), 1.0);
 }
 
+TEST(IntensityDistribution, KnotsThatNearlyCoincideDoNoHarm) {
+  // A damaged file had angles 1e-320 degrees apart: the slope between them was infinite.
+  IntensityDistribution d = tabulate(ones, 1, 4);
+  d.gamma_deg = {0.0, 1e-320, 90.0, 90.0 + 1e-13};
+  d.candela = {5.0, 1.0, 1.0, 7.0};
+  EXPECT_NEAR(d.flux(), 2.0 * kPi, 1e4 * kEps);
+}
+
 TEST(IntensityDistribution, NotANumberIsDark) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(tabulate(ones, 1, 3).intensity({nan, nan, nan}), 0.0);

@@ -66,5 +66,20 @@ TEST(Planes, ACircleWithoutC0GetsOneWithoutChangingTheLumens) {
   EXPECT_NEAR(d.flux(), 4.0 * kPi * 11.0 / 4.0, 1000 * kEps);
 }
 
+TEST(Planes, FoldingKeepsTheFewestPlanesThatUnfoldAgain) {
+  const auto mirrorOf = [](const StoredPlanes& stored, Mirror mirror) {
+    const auto whole = unfold(stored, mirror);
+    const auto [part, found] = fold(whole);
+    EXPECT_EQ(part.c_deg.size(), stored.c_deg.size());
+    EXPECT_EQ(unfold(part, found).candela, whole.candela);
+    return found;
+  };
+  EXPECT_EQ(mirrorOf(planes({0, 30, 90}, {1, 2, 3}), Mirror::both), Mirror::both);
+  EXPECT_EQ(mirrorOf(planes({0, 30, 180}, {1, 2, 3}), Mirror::c0), Mirror::c0);
+  EXPECT_EQ(mirrorOf(planes({90, 100, 270}, {1, 2, 3}), Mirror::c90), Mirror::c90);
+  EXPECT_EQ(mirrorOf(planes({0, 30, 270}, {1, 2, 3}), Mirror::none), Mirror::none);
+  EXPECT_EQ(mirrorOf(planes({0}, {1}), Mirror::none), Mirror::none);
+}
+
 }  // namespace
 }  // namespace soffit::photometry
