@@ -32,6 +32,16 @@ Solver::Solver(std::shared_ptr<const transfer::StaticScene> scene, std::shared_p
   for (std::uint32_t s = 0; s < operators_->fill_from.size(); ++s) {
     if (operators_->fill_from[s] != s) filled_.push_back(s);
   }
+  const transfer::Nodes& nodes = operators_->nodes;
+  kept_moment_.assign(nodes.stride, 0.0F);
+  for (const transfer::Nodes::Patch& p : nodes.patches) {
+    for (std::uint32_t s = p.begin; s < p.end; ++s) {
+      const float a = operators_->area[s] * operators_->kept[s];
+      kept_moment_[p.first] += a;
+      if (p.count > 1) kept_moment_[p.first + 1] += a * nodes.phi[s].x;
+      if (p.count > 2) kept_moment_[p.first + 2] += a * nodes.phi[s].y;
+    }
+  }
 }
 
 void Solver::setMaterials(std::span<const scene::Material> materials) {
@@ -70,18 +80,9 @@ void Solver::direct(const light::Emitter& emitter, std::span<const light::MaskBl
   if (times != nullptr) times->direct += lap.ms();
 }
 
-void Solver::gatherAll(const std::vector<vec4>& x, std::vector<vec4>& y) const {
-  y.resize(operators_->lists.lists.size());
-  parallelFor(y.size(), 64, [&](std::size_t begin, std::size_t end) {
-    transfer::gather(operators_->lists, begin, x, std::span(y).subspan(begin, end - begin));
-  });
+void Solver::conserve(const dvec3& sent, std::vector<vec4>& y) const {
   // The light that leaves the texels arrives somewhere: what the skeleton's rays and weights get
   // wrong about the sum is put right by one factor per channel.
-  dvec3 sent(0.0);
-  for (std::size_t s = 0; s < x.size(); ++s) {
-    const double a = static_cast<double>(operators_->area[s]) * static_cast<double>(operators_->kept[s]);
-    sent += a * dvec3(x[s].x, x[s].y, x[s].z);
-  }
   dvec3 arrived(0.0);
   for (std::size_t k = 0; k < y.size(); ++k) {
     arrived += static_cast<double>(operators_->list_area[k]) * dvec3(y[k].x, y[k].y, y[k].z);
@@ -93,82 +94,153 @@ void Solver::gatherAll(const std::vector<vec4>& x, std::vector<vec4>& y) const {
   for (vec4& v : y) v *= scale;
 }
 
-void Solver::indirect(Column& column, std::span<const float> open, const SolveOptions& options,
-                      std::vector<vec4>* source, StageTimes* times) const {
+void Solver::firstBounce(const Column& column, std::span<const float> open, std::vector<vec4>& y1, Planes& e1) const {
   const transfer::Operators& op = *operators_;
-  const std::size_t slots = op.texels.slotCount();
-  if (op.nodes.functions == 0) return;
-  Lap lap;
-  const auto directAt = [&](std::size_t s) {
-    const float e = column.direct[op.fill_from[s]];
-    return open.empty() ? e : e * open[s];
-  };
-  std::array<std::vector<float>, 3> x0;
-  std::array<std::vector<float>, 3> b0;
-  const std::size_t channels = nodes_.size();
-  std::array<std::size_t, 3> channel_of{};  // a color channel for each distinct solver
-  for (std::size_t c = 3; c-- > 0;) channel_of[node_of_[c]] = c;
-  parallelFor(channels, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::vector<float>& rho = reflectances_.rho[channel_of[k]];
-      x0[k].resize(slots);
-      b0[k].assign(op.nodes.stride, 0.0F);
-      for (std::size_t s = 0; s < slots; ++s) x0[k][s] = rho[s] * directAt(s);
-      transfer::restrictToNodes(op.nodes, op.area, x0[k], b0[k]);
+  const auto& clusters = op.texels.receivers.clusters;
+  std::vector<vec4> x(op.texels.slotCount());
+  std::vector<dvec3> sent_by(clusters.size(), dvec3(0.0));
+  parallelFor(clusters.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (column.lit[i] == 0) continue;  // these taps are skipped
+      for (std::uint32_t s = clusters[i].begin; s < clusters[i].end; ++s) {
+        const float e = directAt(column, open, s);
+        x[s] = vec4(reflectances_.rho[0][s] * e, reflectances_.rho[1][s] * e, reflectances_.rho[2][s] * e, 0.0F);
+        const float a = op.area[s] * op.kept[s];
+        sent_by[i] += dvec3(a * x[s].x, a * x[s].y, a * x[s].z);
+      }
     }
   });
-  if (times != nullptr) times->restrict_ += lap.ms();
-  for (std::size_t k = 0; k < channels; ++k) {
-    column.node[k].assign(op.nodes.stride, 0.0F);
-    nodes_[k].solve(b0[k], column.node[k]);
+  y1.resize(op.lists.lists.size());
+  parallelFor(y1.size(), 64, [&](std::size_t begin, std::size_t end) {
+    transfer::gather(op.lists, begin, x, column.lit, std::span(y1).subspan(begin, end - begin));
+  });
+  dvec3 sent(0.0);
+  for (const dvec3& s : sent_by) sent += s;
+  conserve(sent, y1);
+  parallelFor(clusters.size(), 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const light::Receivers::Cluster& c = clusters[i];
+      const std::size_t slots = c.end - c.begin;
+      const transfer::ClusterWeights& cw = op.clusters[i];
+      for (auto& plane : e1) std::fill(plane.begin() + c.begin, plane.begin() + c.end, 0.0F);
+      transfer::interpolate(std::span(op.weights).subspan(cw.first_weight, cw.rank * slots),
+                            std::span(y1).subspan(cw.first_list, cw.rank), slots, &e1[0][c.begin], &e1[1][c.begin],
+                            &e1[2][c.begin]);
+    }
+  });
+}
+
+void Solver::solveNodes(const Planes& radiosity, Planes& coefficients, Planes& sent) const {
+  const transfer::Operators& op = *operators_;
+  parallelFor(nodes_.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      std::size_t channel = 0;
+      while (node_of_[channel] != k) ++channel;
+      sent[channel].assign(op.nodes.stride, 0.0F);
+      coefficients[channel].assign(op.nodes.stride, 0.0F);
+      transfer::restrictToNodes(op.nodes, op.area, radiosity[channel], sent[channel]);
+      nodes_[k].solve(sent[channel], coefficients[channel]);
+      std::vector<float> more(op.nodes.stride, 0.0F);
+      nodes_[k].reflect(coefficients[channel], more);
+      for (std::size_t f = 0; f < more.size(); ++f) sent[channel][f] += more[f];
+    }
+  });
+  for (std::size_t c = 1; c < 3; ++c) {
+    for (std::size_t earlier = 0; earlier < c; ++earlier) {
+      if (node_of_[earlier] != node_of_[c]) continue;
+      coefficients[c] = coefficients[earlier];
+      sent[c] = sent[earlier];
+      break;
+    }
   }
-  for (std::size_t c = 3; c-- > 0;) {
-    if (node_of_[c] != c) column.node[c] = column.node[node_of_[c]];
+}
+
+void Solver::gatherFromNodes(const Planes& sent, std::vector<vec4>& y) const {
+  const transfer::Operators& op = *operators_;
+  // Two functions of padding: the kernel reads three per patch.
+  std::vector<vec4> b(op.nodes.stride + 2, vec4(0.0F));
+  dvec3 total(0.0);
+  for (std::size_t f = 0; f < op.nodes.functions; ++f) {
+    b[f] = vec4(sent[0][f], sent[1][f], sent[2][f], 0.0F);
+    total += static_cast<double>(kept_moment_[f]) * dvec3(b[f].x, b[f].y, b[f].z);
   }
-  if (times != nullptr) times->nodes += lap.ms();
-  column.skeleton.clear();
-  if (op.coarse && source == nullptr) return;
-  std::vector<vec4> x(slots, vec4(0.0F));
+  y.assign(op.lists.lists.size(), vec4(0.0F));
+  parallelFor(y.size(), 64, [&](std::size_t begin, std::size_t end) {
+    transfer::gatherNodes(op.node_lists, begin, b, std::span(y).subspan(begin, end - begin));
+  });
+  conserve(total, y);
+}
+
+void Solver::radiosityOf(const Column& column, std::span<const float> open, const Planes* e1,
+                         const Planes& coefficients, std::vector<vec4>& source) const {
+  const transfer::Operators& op = *operators_;
+  source.assign(op.texels.slotCount(), vec4(0.0F));
   parallelFor(op.nodes.patches.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const transfer::Nodes::Patch& p = op.nodes.patches[i];
       for (std::uint32_t s = p.begin; s < p.end; ++s) {
-        const float e = directAt(s);
+        const std::uint32_t from = op.fill_from[s];
         const float shown = open.empty() ? 1.0F : open[s];
-        for (int c = 0; c < 3; ++c) {
-          const auto k = static_cast<std::size_t>(c);
-          const std::vector<float>& coefficients = column.node[k];
-          float value = coefficients[p.first];
-          if (p.count > 1) value += coefficients[p.first + 1] * op.nodes.phi[s].x;
-          if (p.count > 2) value += coefficients[p.first + 2] * op.nodes.phi[s].y;
-          x[s][c] = reflectances_.rho[k][s] * (e + shown * std::max(0.0F, value));
+        for (std::size_t c = 0; c < 3; ++c) {
+          const std::vector<float>& k = coefficients[c];
+          float e = k[p.first];
+          if (p.count > 1) e += k[p.first + 1] * op.nodes.phi[s].x;
+          if (p.count > 2) e += k[p.first + 2] * op.nodes.phi[s].y;
+          e = std::max(0.0F, e) + (e1 != nullptr ? std::max(0.0F, (*e1)[c][from]) : 0.0F);
+          source[s][static_cast<int>(c)] = reflectances_.rho[c][s] * (directAt(column, open, s) + shown * e);
         }
       }
     }
   });
-  if (times != nullptr) times->source += lap.ms();
-  if (!op.coarse) {
-    gatherAll(x, column.skeleton);
-    for (int sweep = 0; sweep < options.sweeps; ++sweep) {
-      std::array<std::vector<float>, 3> field;
-      for (auto& plane : field) plane.assign(slots, 0.0F);
-      const std::vector<float> none;
-      Column only;
-      only.skeleton = column.skeleton;
-      add(only, dvec3(1.0), field);
-      for (std::size_t s = 0; s < slots; ++s) {
-        const std::uint32_t from = op.fill_from[s];
-        const float shown = open.empty() ? 1.0F : open[s];
-        for (int c = 0; c < 3; ++c) {
-          const auto k = static_cast<std::size_t>(c);
-          x[s][c] = reflectances_.rho[k][s] * (directAt(s) + shown * std::max(0.0F, field[k][from]));
-        }
-      }
-      gatherAll(x, column.skeleton);
-    }
+}
+
+void Solver::coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const {
+  const std::size_t slots = operators_->texels.slotCount();
+  Planes x;
+  for (std::size_t c = 0; c < 3; ++c) {
+    x[c].resize(slots);
+    for (std::size_t s = 0; s < slots; ++s) x[c][s] = reflectances_.rho[c][s] * directAt(column, open, s);
   }
+  Planes sent;
+  column.skeleton.clear();
+  solveNodes(x, column.node, sent);
+  if (source != nullptr) radiosityOf(column, open, nullptr, column.node, *source);
+}
+
+void Solver::indirect(Column& column, std::span<const float> open, std::vector<vec4>* source,
+                      StageTimes* times) const {
+  const transfer::Operators& op = *operators_;
+  if (op.nodes.functions == 0) return;
+  if (op.coarse) {
+    coarseIndirect(column, open, source);
+    return;
+  }
+  Lap lap;
+  const std::size_t slots = op.texels.slotCount();
+  Planes e1;
+  for (auto& plane : e1) plane.resize(slots);
+  firstBounce(column, open, column.skeleton, e1);
+  if (times != nullptr) times->first_bounce += lap.ms();
+  Planes b1;
+  parallelFor(3, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      if (c > 0 && node_of_[c] == node_of_[c - 1]) continue;  // an equal channel is not computed twice
+      b1[c].resize(slots);
+      for (std::size_t s = 0; s < slots; ++s) {
+        const float shown = open.empty() ? 1.0F : open[s];
+        b1[c][s] = reflectances_.rho[c][s] * shown * std::max(0.0F, e1[c][op.fill_from[s]]);
+      }
+    }
+  });
+  Planes coefficients;
+  Planes sent;
+  solveNodes(b1, coefficients, sent);
+  if (times != nullptr) times->nodes += lap.ms();
+  std::vector<vec4> y2;
+  gatherFromNodes(sent, y2);
+  for (std::size_t k = 0; k < y2.size(); ++k) column.skeleton[k] += y2[k];
   if (times != nullptr) times->gather += lap.ms();
-  if (source != nullptr) *source = std::move(x);
+  if (source != nullptr) radiosityOf(column, open, &e1, coefficients, *source);
 }
 
 void Solver::add(const Column& column, const dvec3& weight, std::array<std::vector<float>, 3>& total,

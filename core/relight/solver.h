@@ -18,8 +18,12 @@ namespace soffit::relight {
 
 /// Milliseconds of the stages of one update, in the order they run.
 struct StageTimes {
-  double direct = 0, restrict_ = 0, nodes = 0, source = 0, gather = 0, interpolate = 0;
-  [[nodiscard]] double total() const { return direct + restrict_ + nodes + source + gather + interpolate; }
+  double direct = 0;       ///< closed form x visibility at all texels
+  double first_bounce = 0; ///< texels -> skeletons -> texels
+  double nodes = 0;        ///< all further bounces at node level
+  double gather = 0;       ///< nodes -> skeletons
+  double interpolate = 0;  ///< skeletons -> every display point, added to the rest
+  [[nodiscard]] double total() const { return direct + first_bounce + nodes + gather + interpolate; }
 };
 
 /// One luminaire's light at dimming 1 and a colour of Y = 1.
@@ -28,11 +32,7 @@ struct Column {
   std::vector<std::uint8_t> lit;    ///< per cluster
   /// Response of each channel to white light of this luminaire (colour is applied by mixing):
   std::vector<vec4> skeleton;       ///< per gather list; empty with coarse operators
-  std::array<std::vector<float>, 3> node;  ///< node coefficients of the indirect light
-};
-
-struct SolveOptions {
-  int sweeps = 0;  ///< extra bounces at texel resolution: y = W gather(x), x = rho (E + y)
+  std::array<std::vector<float>, 3> node;  ///< coarse operators: node coefficients of the indirect light
 };
 
 /// Everything that depends on geometry and reflectances but not on luminaires. Thread-compatible:
@@ -54,10 +54,14 @@ class Solver {
               light::DirectCounts* counts = nullptr, StageTimes* times = nullptr) const;
 
   /// Indirect light from column.direct. open: share of each texel that no hugging body covers
-  /// (bodies.h), empty for none. source: when given, gets the radiosity per slot that the last
-  /// gather used (for sensors), RGB in lux.
-  void indirect(Column& column, std::span<const float> open, const SolveOptions& options,
-                std::vector<vec4>* source = nullptr, StageTimes* times = nullptr) const;
+  /// (bodies.h), empty for none. source: when given, gets the whole radiosity per slot (for
+  /// sensors), RGB in lux.
+  ///
+  ///   x1 = rho E;  y1 = G x1;  e1 = W y1                 first bounce, texel by texel
+  ///   b1 = R(rho e1);  e2+ = all further bounces         node level (node_solver.h)
+  ///   skeleton = y1 + G_n (b1 + M e2+)
+  void indirect(Column& column, std::span<const float> open, std::vector<vec4>* source = nullptr,
+                StageTimes* times = nullptr) const;
 
   /// Adds gain * color * column to RGB planes of slotCount() floats.
   void add(const Column& column, const dvec3& weight, std::array<std::vector<float>, 3>& total,
@@ -67,8 +71,19 @@ class Solver {
   void fill(std::array<std::vector<float>, 3>& total) const;
 
  private:
+  using Planes = std::array<std::vector<float>, 3>;
   void factor();
-  void gatherAll(const std::vector<vec4>& x, std::vector<vec4>& y) const;
+  void coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const;
+  void firstBounce(const Column& column, std::span<const float> open, std::vector<vec4>& y1, Planes& e1) const;
+  void solveNodes(const Planes& radiosity, Planes& coefficients, Planes& sent) const;
+  void gatherFromNodes(const Planes& sent, std::vector<vec4>& y) const;
+  void conserve(const dvec3& sent, std::vector<vec4>& y) const;
+  void radiosityOf(const Column& column, std::span<const float> open, const Planes* e1, const Planes& coefficients,
+                   std::vector<vec4>& source) const;
+  [[nodiscard]] float directAt(const Column& column, std::span<const float> open, std::size_t slot) const {
+    const float e = column.direct[operators_->fill_from[slot]];
+    return open.empty() ? e : e * open[slot];
+  }
 
   std::shared_ptr<const transfer::StaticScene> scene_;
   std::shared_ptr<const transfer::Operators> operators_;
@@ -76,6 +91,7 @@ class Solver {
   std::vector<transfer::NodeSolver> nodes_;   ///< one per distinct channel
   std::array<std::size_t, 3> node_of_{0, 0, 0};
   std::vector<std::uint32_t> filled_;         ///< slots that show another's light
+  std::vector<float> kept_moment_;            ///< per node function: sum A kept phi
 };
 
 }  // namespace soffit::relight

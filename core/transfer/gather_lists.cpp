@@ -7,19 +7,21 @@
 
 namespace soffit::transfer {
 
-void GatherLists::append(std::span<std::uint32_t> slots, std::span<const std::uint32_t> cluster_base) {
+void GatherLists::append(std::span<std::uint32_t> slots, const SlotClusters& clusters) {
   std::sort(slots.begin(), slots.end());
   List list;
   list.first_block = static_cast<std::uint32_t>(blocks.size());
   list.scale = slots.empty() ? 0.0F : 1.0F / static_cast<float>(slots.size());
-  std::uint32_t base = kNoTexel;
+  std::uint32_t cluster = kNoTexel;
+  std::uint32_t base = 0;
   for (std::size_t i = 0; i < slots.size() && slots[i] != kNoTexel;) {
     std::size_t j = i;
     while (j < slots.size() && slots[j] == slots[i] && j - i < 255) ++j;
     const std::uint32_t slot = slots[i];
-    if (cluster_base[slot] != base) {
-      base = cluster_base[slot];
-      blocks.push_back({base, static_cast<std::uint32_t>(entries.size()), 0});
+    if (clusters.cluster_of[slot] != cluster) {
+      cluster = clusters.cluster_of[slot];
+      base = clusters.begin[cluster];
+      blocks.push_back({cluster, base, static_cast<std::uint32_t>(entries.size()), 0});
     }
     entries.push_back({static_cast<std::uint8_t>(slot - base), static_cast<std::uint8_t>(j - i)});
     ++blocks.back().count;
@@ -43,13 +45,15 @@ void GatherLists::append(const GatherLists& other) {
   }
 }
 
-std::vector<std::uint32_t> clusterBases(std::span<const std::uint32_t> cluster_begin,
-                                        std::span<const std::uint32_t> cluster_end, std::size_t slots) {
-  std::vector<std::uint32_t> base(slots, 0);
-  for (std::size_t c = 0; c < cluster_begin.size(); ++c) {
-    std::fill(base.begin() + cluster_begin[c], base.begin() + cluster_end[c], cluster_begin[c]);
+SlotClusters slotClusters(const light::Receivers& receivers) {
+  SlotClusters out;
+  out.cluster_of.resize(receivers.slotCount());
+  for (std::uint32_t c = 0; c < receivers.clusters.size(); ++c) {
+    const light::Receivers::Cluster& cluster = receivers.clusters[c];
+    out.begin.push_back(cluster.begin);
+    std::fill(out.cluster_of.begin() + cluster.begin, out.cluster_of.begin() + cluster.end, c);
   }
-  return base;
+  return out;
 }
 
 }  // namespace soffit::transfer

@@ -32,13 +32,15 @@ void MultiplyRows(const float* matrix, std::size_t stride, std::size_t rows, con
   }
 }
 
-void GatherRgb(const GatherLists& lists, std::size_t first, const float* x, float* y, std::size_t count) {
+void GatherRgb(const GatherLists& lists, std::size_t first, const float* x, const std::uint8_t* lit, float* y,
+               std::size_t count) {
 #if HWY_TARGET == HWY_SCALAR
   for (std::size_t k = 0; k < count; ++k) {
     const GatherLists::List& list = lists.lists[first + k];
     float sum[4] = {0, 0, 0, 0};
     for (std::uint32_t b = list.first_block; b < list.first_block + list.block_count; ++b) {
       const GatherLists::Block& block = lists.blocks[b];
+      if (lit != nullptr && lit[block.cluster] == 0) continue;
       for (std::uint32_t e = block.first; e < block.first + block.count; ++e) {
         const float* from = x + 4 * (block.base + lists.entries[e].local);
         const auto n = static_cast<float>(lists.entries[e].count);
@@ -56,6 +58,7 @@ void GatherRgb(const GatherLists& lists, std::size_t first, const float* x, floa
     auto sum1 = hn::Zero(d4);
     for (std::uint32_t b = list.first_block; b < list.first_block + list.block_count; ++b) {
       const GatherLists::Block& block = lists.blocks[b];
+      if (lit != nullptr && lit[block.cluster] == 0) continue;
       const GatherLists::Entry* entry = &lists.entries[block.first];
       const float* base = x + 4 * static_cast<std::size_t>(block.base);
       std::uint32_t e = 0;
@@ -71,6 +74,43 @@ void GatherRgb(const GatherLists& lists, std::size_t first, const float* x, floa
       }
     }
     hn::StoreU(hn::Mul(hn::Add(sum0, sum1), hn::Set(d4, list.scale)), d4, y + 4 * k);
+  }
+#endif
+}
+
+void GatherNodes(const NodeLists& lists, std::size_t first, const float* b, float* y, std::size_t count) {
+#if HWY_TARGET == HWY_SCALAR
+  for (std::size_t k = 0; k < count; ++k) {
+    const NodeLists::List& list = lists.lists[first + k];
+    for (std::uint32_t e = list.first; e < list.first + list.count; ++e) {
+      const NodeLists::Entry& entry = lists.entries[e];
+      const float* from = b + 4 * static_cast<std::size_t>(lists.first_function[entry.patch]);
+      const int functions = lists.function_count[entry.patch];
+      for (int c = 0; c < 4; ++c) {
+        float v = static_cast<float>(entry.count) * from[c];
+        if (functions > 1) v += static_cast<float>(entry.phi1) * NodeLists::kStep * from[4 + c];
+        if (functions > 2) v += static_cast<float>(entry.phi2) * NodeLists::kStep * from[8 + c];
+        y[4 * k + static_cast<std::size_t>(c)] += v * list.scale;
+      }
+    }
+  }
+#else
+  using D4 = hn::CappedTag<float, 4>;
+  constexpr D4 d4;
+  for (std::size_t k = 0; k < count; ++k) {
+    const NodeLists::List& list = lists.lists[first + k];
+    auto sum0 = hn::Zero(d4);
+    auto sum1 = hn::Zero(d4);
+    for (std::uint32_t e = list.first; e < list.first + list.count; ++e) {
+      const NodeLists::Entry& entry = lists.entries[e];
+      const float* from = b + 4 * static_cast<std::size_t>(lists.first_function[entry.patch]);
+      // Patches with fewer functions carry 0 in phi1, phi2; b is padded so that the loads are safe.
+      sum0 = hn::MulAdd(hn::Set(d4, static_cast<float>(entry.count)), hn::LoadU(d4, from), sum0);
+      sum1 = hn::MulAdd(hn::Set(d4, static_cast<float>(entry.phi1)), hn::LoadU(d4, from + 4), sum1);
+      sum1 = hn::MulAdd(hn::Set(d4, static_cast<float>(entry.phi2)), hn::LoadU(d4, from + 8), sum1);
+    }
+    const auto sum = hn::MulAdd(hn::Set(d4, NodeLists::kStep), sum1, sum0);
+    hn::StoreU(hn::MulAdd(sum, hn::Set(d4, list.scale), hn::LoadU(d4, y + 4 * k)), d4, y + 4 * k);
   }
 #endif
 }
@@ -110,6 +150,7 @@ namespace soffit::transfer {
 
 HWY_EXPORT(MultiplyRows);
 HWY_EXPORT(GatherRgb);
+HWY_EXPORT(GatherNodes);
 HWY_EXPORT(Interpolate);
 HWY_EXPORT(AddScaled);
 
@@ -120,13 +161,16 @@ void multiplyRows(std::span<const float> matrix, std::size_t stride, std::size_t
   });
 }
 
-void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x, std::span<vec4> y) {
+void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x, std::span<const std::uint8_t> lit_of,
+            std::span<vec4> y) {
   static_assert(sizeof(vec4) == 4 * sizeof(float));
   if (y.empty()) return;
-  HWY_DYNAMIC_DISPATCH(GatherRgb)(lists, first, &x[0].x, &y[0].x, y.size());
+  HWY_DYNAMIC_DISPATCH(GatherRgb)(lists, first, &x[0].x, lit_of.empty() ? nullptr : lit_of.data(), &y[0].x, y.size());
 }
 
-void gather(const GatherLists& lists, std::size_t first, std::span<const float> x, std::span<float> y) {
+void gather(const GatherLists& lists, std::size_t first, std::span<const float> x, std::span<const std::uint8_t> lit_of,
+            std::span<float> y) {
+  const std::uint8_t* lit = lit_of.empty() ? nullptr : lit_of.data();
   // One channel is a plain scalar loop: a byte index and a load per tap leave nothing to vectorise.
   for (std::size_t k = 0; k < y.size(); ++k) {
     const GatherLists::List& list = lists.lists[first + k];
@@ -134,6 +178,7 @@ void gather(const GatherLists& lists, std::size_t first, std::span<const float> 
     float sum1 = 0.0F;
     for (std::uint32_t b = list.first_block; b < list.first_block + list.block_count; ++b) {
       const GatherLists::Block& block = lists.blocks[b];
+      if (lit != nullptr && lit[block.cluster] == 0) continue;
       const GatherLists::Entry* entry = &lists.entries[block.first];
       const float* base = &x[block.base];
       std::uint32_t e = 0;
@@ -145,6 +190,11 @@ void gather(const GatherLists& lists, std::size_t first, std::span<const float> 
     }
     y[k] = (sum0 + sum1) * list.scale;
   }
+}
+
+void gatherNodes(const NodeLists& lists, std::size_t first, std::span<const vec4> b, std::span<vec4> y) {
+  if (y.empty()) return;
+  HWY_DYNAMIC_DISPATCH(GatherNodes)(lists, first, &b[0].x, &y[0].x, y.size());
 }
 
 void interpolate(std::span<const float> weights, std::span<const vec4> y, std::size_t slots, float* out_r,

@@ -3,6 +3,7 @@
 
 #include "core/math/vec.h"
 #include "core/transfer/gather_lists.h"
+#include "core/transfer/node_lists.h"
 
 #include <cstdint>
 #include <span>
@@ -15,11 +16,17 @@ namespace soffit::transfer {
 void multiplyRows(std::span<const float> matrix, std::size_t stride, std::size_t rows, std::span<const float> x,
                   std::span<float> y);
 
-/// y[k] = gather list first+k of x, k < y.size(); x: RGB + padding per slot.
-void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x, std::span<vec4> y);
+/// y[k] = gather list first+k of x, k < y.size(); x: RGB + padding per slot. lit: per cluster,
+/// 0 where x is known to be 0 (those taps are skipped); empty: all.
+void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x, std::span<const std::uint8_t> lit,
+            std::span<vec4> y);
 
 /// The same for one channel.
-void gather(const GatherLists& lists, std::size_t first, std::span<const float> x, std::span<float> y);
+void gather(const GatherLists& lists, std::size_t first, std::span<const float> x, std::span<const std::uint8_t> lit,
+            std::span<float> y);
+
+/// y[k] += node list first+k of b: RGB + padding per node function (NodeLists).
+void gatherNodes(const NodeLists& lists, std::size_t first, std::span<const vec4> b, std::span<vec4> y);
 
 /// out_c[s] += sum_k weights[k*slots + s] y[k].c for c = x, y, z; slots a multiple of 16.
 void interpolate(std::span<const float> weights, std::span<const vec4> y, std::size_t slots, float* out_r,

@@ -99,6 +99,10 @@ void NodeSolver::solve(std::span<const float> b0, std::span<float> indirect) con
   for (Eigen::Index i = 0; i < count; ++i) indirect[nodes.patches[static_cast<std::size_t>(i)].first] += tail(i);
 }
 
+void NodeSolver::reflect(std::span<const float> irradiance, std::span<float> radiosity) const {
+  impl_->reflectInto(irradiance, radiosity);
+}
+
 void multiplyNodeMatrix(const Nodes& nodes, std::span<const float> x, std::span<float> y) {
   multiplyRows(nodes.matrix, nodes.stride, nodes.functions, x, y);
 }

@@ -24,8 +24,11 @@ class NodeSolver {
   NodeSolver& operator=(NodeSolver&&) noexcept;
 
   /// Irradiance coefficients after one and more reflections from the coefficients of the first
-  /// radiosity b0 (restrictToNodes of reflectance x direct). Sizes: nodes.functions.
+  /// radiosity b0 (restrictToNodes of reflectance x direct). Sizes: nodes.stride, padding 0.
   void solve(std::span<const float> b0, std::span<float> indirect) const;
+
+  /// radiosity = M irradiance: what the patches send out of what they receive.
+  void reflect(std::span<const float> irradiance, std::span<float> radiosity) const;
 
  private:
   struct Impl;

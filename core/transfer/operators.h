@@ -4,6 +4,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/transfer/gather_lists.h"
+#include "core/transfer/node_lists.h"
 #include "core/transfer/nodes.h"
 #include "core/transfer/static_scene.h"
 #include "core/transfer/texels.h"
@@ -42,7 +43,8 @@ struct Operators {
   std::vector<std::uint32_t> fill_from;  ///< per slot: itself, or the valid slot whose light it shows
   std::vector<float> kept;               ///< per slot: share of its light that stays in the scene
   Nodes nodes;
-  GatherLists lists;
+  GatherLists lists;                     ///< what each skeleton point sees, texel by texel
+  NodeLists node_lists;                  ///< the same by node functions
   std::vector<ClusterWeights> clusters;  ///< per cluster of texels.receivers
   std::vector<float> weights;
   std::vector<float> list_area;          ///< per list: sum over slots of area x weight, for energy conservation

@@ -7,7 +7,7 @@
 namespace soffit::transfer {
 namespace {
 
-constexpr std::uint32_t kLeastCells = 48;
+constexpr std::uint32_t kLeastCells = 16;
 
 /// Disjoint sets; the smaller index is the root, so the result does not depend on the order.
 class Sets {

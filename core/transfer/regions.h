@@ -11,7 +11,7 @@ namespace soffit::transfer {
 
 /// Numbers parts of surfaces that see each other along the surface: cells of a planar chart are
 /// joined with their neighbours unless something stands between them, so that a floor slab under
-/// two rooms is two regions. Parts of fewer than 48 cells and curved charts share one region per
+/// two rooms is two regions. Parts of fewer than 16 cells and curved charts share one region per
 /// side of the world, numbered after the others; position and normal divide those further.
 ///
 /// texels     charts, grids and cells (which hold draft indices, not slots, at this time).

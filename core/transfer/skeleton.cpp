@@ -27,8 +27,8 @@ struct ClusterResult {
 class ClusterWorker {
  public:
   ClusterWorker(const StaticScene& scene, const TrainingFields& fields, const BakeSettings& settings,
-                const Operators& operators, std::span<const std::uint32_t> bases)
-      : scene_(scene), fields_(fields), settings_(settings), operators_(operators), bases_(bases) {}
+                const Operators& operators, const SlotClusters& slot_clusters)
+      : scene_(scene), fields_(fields), settings_(settings), operators_(operators), slot_clusters_(slot_clusters) {}
 
   ClusterResult work(const light::Receivers::Cluster& c) {
     const light::Receivers& r = operators_.texels.receivers;
@@ -54,7 +54,7 @@ class ClusterWorker {
       traceHemisphere(scene_, operators_.texels, r.position(slot), r.normal(slot), settings_.list_rays,
                       settings_.seed * 7919U + 500000003U + slot, 0.0F, scratch_, hits_);
       addFields(hits_, ys.row(static_cast<Eigen::Index>(k)).data());
-      result.lists.append(hits_.slots, bases_);
+      result.lists.append(hits_.slots, slot_clusters_);
     }
     result.rank = static_cast<std::uint32_t>(pivots.size());
     solveWeights(c, points, y, ys, result);
@@ -113,7 +113,7 @@ class ClusterWorker {
   const TrainingFields& fields_;
   const BakeSettings& settings_;
   const Operators& operators_;
-  std::span<const std::uint32_t> bases_;
+  const SlotClusters& slot_clusters_;
   HemisphereScratch scratch_;
   HemisphereHits hits_;
 };
@@ -123,19 +123,13 @@ class ClusterWorker {
 std::uint64_t fillSkeletons(const StaticScene& scene, const TrainingFields& fields, const BakeSettings& settings,
                             const Job& job, Operators& operators) {
   const auto& clusters = operators.texels.receivers.clusters;
-  std::vector<std::uint32_t> begins;
-  std::vector<std::uint32_t> ends;
-  for (const auto& c : clusters) {
-    begins.push_back(c.begin);
-    ends.push_back(c.end);
-  }
-  const std::vector<std::uint32_t> bases = clusterBases(begins, ends, operators.texels.slotCount());
+  const SlotClusters slot_clusters = slotClusters(operators.texels.receivers);
   std::vector<ClusterResult> results(clusters.size());
   std::atomic<std::size_t> done{0};
   parallelFor(clusters.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (job.cancelled()) return;
-      ClusterWorker worker(scene, fields, settings, operators, bases);
+      ClusterWorker worker(scene, fields, settings, operators, slot_clusters);
       results[i] = worker.work(clusters[i]);
       job.report("tracing gather rays", static_cast<double>(++done) / static_cast<double>(clusters.size()));
     }
@@ -157,6 +151,7 @@ std::uint64_t fillSkeletons(const StaticScene& scene, const TrainingFields& fiel
     rays += static_cast<std::uint64_t>(clusters[i].used) * static_cast<std::uint64_t>(settings.field_rays * settings.field_rays) +
             static_cast<std::uint64_t>(r.rank) * static_cast<std::uint64_t>(settings.list_rays * settings.list_rays);
   }
+  operators.node_lists = makeNodeLists(operators.lists, operators.nodes);
   return rays;
 }
 

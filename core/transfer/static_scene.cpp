@@ -2,7 +2,9 @@
 #include "core/transfer/static_scene.h"
 
 #include "core/geometry/components.h"
+#include "core/base/parallel.h"
 #include "core/transfer/charts.h"
+#include "core/transfer/hemisphere.h"
 
 #include <algorithm>
 
@@ -49,6 +51,34 @@ std::vector<std::uint8_t> sidesOf(const geometry::Mesh& mesh, std::span<const ve
   return sides;
 }
 
+/// Takes the sides of charts away whose every probe sees the void: 64 rays from each of the cells
+/// of a coarse grid.
+void dropVoidSides(StaticScene& scene) {
+  constexpr std::size_t kProbes = 4000;
+  const double cell = cellForCount(*scene.mesh, scene.sides, kProbes, 0.05);
+  const Texels texels = makeTexels(*scene.mesh, scene.sides, cell, nullptr);
+  const std::size_t slots = texels.slotCount();
+  std::vector<std::uint8_t> sees(slots, 0);
+  parallelFor(slots, 64, [&](std::size_t begin, std::size_t end) {
+    HemisphereScratch scratch;
+    HemisphereHits hits;
+    for (std::size_t s = begin; s < end; ++s) {
+      traceHemisphere(scene, texels, texels.receivers.position(s), texels.receivers.normal(s), 8, s, 0.0F, scratch, hits);
+      sees[s] = hits.missed < 64 ? 1 : 0;
+    }
+  });
+  std::vector<std::uint8_t> kept(texels.charts.charts.size(), kNoSide);
+  for (std::size_t s = 0; s < slots; ++s) {
+    if (sees[s] == 0) continue;
+    const std::uint32_t chart = texels.charts.chart_of[texels.triangle[s]];
+    const bool front = glm::dot(texels.receivers.normal(s), texels.charts.charts[chart].normal) > 0.0F;
+    kept[chart] = static_cast<std::uint8_t>(kept[chart] | (front ? kFront : kBack));
+  }
+  for (std::size_t t = 0; t < scene.sides.size(); ++t) {
+    scene.sides[t] = static_cast<std::uint8_t>(scene.sides[t] & kept[texels.charts.chart_of[t]]);
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const StaticScene> makeStaticScene(std::shared_ptr<const geometry::Mesh> mesh,
@@ -83,6 +113,7 @@ std::shared_ptr<const StaticScene> makeStaticScene(std::shared_ptr<const geometr
                     std::move(normals),
                     std::move(sides),
                     std::min(1e-4F, 2e-5F * size)};
+  if (!mesh->triangles.empty()) dropVoidSides(scene);
   return std::make_shared<const StaticScene>(std::move(scene));
 }
 

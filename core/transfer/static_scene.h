@@ -30,7 +30,8 @@ struct StaticScene {
 /// inside  points known to lie in rooms (luminaires, sensors, cameras; scene-local): a closed
 ///         shell that holds one of them is a room and carries light on both sides, as does one
 ///         that holds other geometry or is all there is. Other closed, consistently wound solids
-///         carry light outside only.
+///         carry light outside only. Sides from which nothing but the void outside the model is
+///         seen (the far side of a room's walls) carry none.
 std::shared_ptr<const StaticScene> makeStaticScene(std::shared_ptr<const geometry::Mesh> mesh,
                                                    std::span<const vec3> inside);
 

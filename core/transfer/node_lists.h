@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/transfer/gather_lists.h"
+#include "core/transfer/nodes.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace soffit::transfer {
+
+/// The gather lists again, seen through the node basis: value = scale * sum over patches of
+/// (count b_0 + sum phi_1 b_1 + sum phi_2 b_2) over the rays that end in the patch. Smooth light
+/// (all that has bounced) costs a fifth of the taps this way; direct light keeps its texels.
+struct NodeLists {
+  /// Sums of phi are stored in steps of kStep: half a ray, far below the rays' own noise.
+  static constexpr float kStep = 0.5F;
+  struct Entry {
+    std::uint16_t patch = 0;
+    std::uint16_t count = 0;
+    std::int16_t phi1 = 0;
+    std::int16_t phi2 = 0;
+  };
+  struct List {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+    float scale = 0.0F;
+  };
+  std::vector<Entry> entries;
+  std::vector<List> lists;
+  std::vector<std::uint32_t> first_function;  ///< per patch
+  std::vector<std::uint8_t> function_count;   ///< per patch
+
+  [[nodiscard]] std::size_t bytes() const { return entries.size() * sizeof(Entry) + lists.size() * sizeof(List); }
+};
+
+/// At most 65536 patches.
+NodeLists makeNodeLists(const GatherLists& lists, const Nodes& nodes);
+
+}  // namespace soffit::transfer
