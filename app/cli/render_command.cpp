@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/render_command.h"
+
+#include "app/cli/output.h"
+#include "app/cli/picture_file.h"
+#include "app/cli/progress_bar.h"
+#include "core/color/display_transform.h"
+#include "core/color/exposure.h"
+#include "core/io/image/write_image.h"
+#include "core/io/project/starting_place.h"
+#include "core/render/picture.h"
+#include "core/render/view_renderer.h"
+#include "core/render/view_scene.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace soffit::cli {
+namespace {
+
+struct RenderArguments {
+  CommonOptions common;
+  std::string camera;
+  std::string size = "1280x800";
+  int samples = 4;
+  std::string exposure;  ///< EV or "auto"; empty: the project's
+  std::string view;      ///< empty: the project's
+  std::vector<double> range;
+  bool logarithmic = false;
+  std::string title;
+};
+
+Result<std::pair<int, int>> parseSize(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  if (first.ec == std::errc() && first.ptr != end && (*first.ptr == 'x' || *first.ptr == 'X')) {
+    const auto second = std::from_chars(first.ptr + 1, end, height);
+    if (second.ec == std::errc() && second.ptr == end) return std::pair(width, height);
+  }
+  return Error{"--size", fmt::format("expected WIDTHxHEIGHT in pixels, found \"{}\"", text),
+               "Give for instance 1280x800."};
+}
+
+Result<scene::Camera> chooseCamera(const scene::Scene& scene, const std::string& name) {
+  for (const scene::Camera& camera : scene.cameras) {
+    if (name.empty() || camera.name == name) return camera;
+  }
+  if (!name.empty()) {
+    std::string known;
+    for (const scene::Camera& camera : scene.cameras)
+      known += (known.empty() ? "" : ", ") + camera.name;
+    return Error{
+        "--camera", fmt::format("the project has no camera \"{}\"", name),
+        known.empty() ? "It has none; leave --camera out." : fmt::format("It has: {}.", known)};
+  }
+  if (scene.mesh->triangleCount() > 0) return io::startingPlace(*scene.mesh).camera;
+  return scene::Camera{};
+}
+
+/// The exposure; nothing stands for "auto".
+Result<std::optional<double>> parseExposure(const std::string& text, double from_project) {
+  if (text.empty()) return std::optional(from_project);
+  if (text == "auto") return std::optional<double>();
+  double ev = 0.0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), ev);
+  if (parsed.ec == std::errc() && parsed.ptr == text.data() + text.size() && std::isfinite(ev)) {
+    return std::optional(ev);
+  }
+  return Error{"--exposure", fmt::format("expected stops (EV) or \"auto\", found \"{}\"", text),
+               "Give for instance -0.5."};
+}
+
+Result<render::PictureOptions> pictureOptions(const RenderArguments& arguments,
+                                              const scene::View& view) {
+  render::PictureOptions picture;
+  picture.display.display = view.ocio_display;
+  picture.display.view = arguments.view.empty() ? view.ocio_view : arguments.view;
+  picture.display.look = view.ocio_look;
+  picture.title = arguments.title;
+  if (arguments.range.size() == 2) {
+    picture.range =
+        color::FalseColorRange{arguments.range[0], arguments.range[1], arguments.logarithmic};
+    const auto valid = picture.range->check();
+    if (!valid) return valid.error();
+  }
+  // A view that does not exist is found before the light is computed.
+  const auto transform = color::DisplayTransform::create(picture.display);
+  if (!transform) return transform.error();
+  return picture;
+}
+
+/// The scene with its luminaires placed.
+Result<std::unique_ptr<render::ViewScene>> makeViewScene(
+    const scene::Scene& scene, std::shared_ptr<const geometry::RayCaster> caster) {
+  const geometry::Mesh& mesh = *scene.mesh;
+  if (caster == nullptr) {
+    caster = std::make_shared<const geometry::RayCaster>(mesh.positions, mesh.triangles);
+  }
+  std::vector<light::Emitter> emitters;
+  for (const light::Luminaire& luminaire : scene.luminaires) {
+    auto emitter = light::makeEmitter(luminaire, mesh.origin);
+    if (!emitter) return emitter.error();
+    emitters.push_back(std::move(*emitter));
+  }
+  return std::make_unique<render::ViewScene>(std::make_shared<const scene::Scene>(scene),
+                                             std::move(caster), std::move(emitters));
+}
+
+Result<void> runRender(const RenderArguments& arguments, Session& session,
+                       const MakePictureLight& make) {
+  const std::string& output = arguments.common.output;
+  if (const auto known = io::checkImagePath(output); !known) return known;
+  if (const auto writable = checkResultFile(output); !writable) return writable;
+  const auto size = parseSize(arguments.size);
+  if (!size) return size.error();
+  ProgressBar progress;
+  const auto project = loadForCommand(arguments.common, session, &progress);
+  if (!project) return project.error();
+  const scene::Scene& scene = project->scene;
+  const auto camera = chooseCamera(scene, arguments.camera);
+  if (!camera) return camera.error();
+  const auto exposure = parseExposure(arguments.exposure, scene.view.exposure);
+  if (!exposure) return exposure.error();
+  auto picture = pictureOptions(arguments, scene.view);
+  if (!picture) return picture.error();
+
+  render::RenderOptions options;
+  options.width = size->first;
+  options.height = size->second;
+  options.samples = arguments.samples;
+  options.seed = arguments.common.seed;
+  if (picture->display.view == color::kFalseColorView)
+    options.quantity = render::Quantity::illuminance;
+  if (!io::isSceneLinear(output)) {
+    // A few stops above white, where the views' shoulders have flattened out.
+    options.edge_white = 4.0F / color::exposureScale(exposure->value_or(scene.view.exposure));
+  }
+  const Job job{&progress, {}};
+  const auto light = make(*project, arguments.common, job);
+  if (!light) return light.error();
+  const auto view_scene = makeViewScene(scene, light->caster);
+  if (!view_scene) return view_scene.error();
+  const auto film = render::renderView(**view_scene, *camera, *light->illumination, options, job);
+  if (!film) return film.error();
+  picture->exposure_ev = exposure->has_value() ? **exposure : color::autoExposure(film->radiance);
+  progress.clear();
+  return writePicture(output, *film, *picture,
+                      {.project = scene.name.empty() ? project->path.stem().string() : scene.name,
+                       .layout = project->layout,
+                       .camera = camera->name});
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, Session& session, MakePictureLight make) {
+  CLI::App* command = app.add_subcommand(
+      "render", "Make a picture: tone-mapped .png/.jpg/.tif or scene-linear .exr/.hdr");
+  auto arguments = std::make_shared<RenderArguments>();
+  addProjectArgument(*command, arguments->common);
+  addOutputOption(*command, arguments->common, "The picture to write");
+  command->get_option("--output")->required();
+  addLayoutOption(*command, arguments->common);
+  addSetOption(*command, arguments->common);
+  addComputeOptions(*command, arguments->common);
+  command->add_option("--camera", arguments->camera, "Camera by name; without it: the first");
+  command->add_option("--size", arguments->size, "Pixels, WxH")->capture_default_str();
+  command->add_option("--samples", arguments->samples, "Samples per pixel")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--exposure", arguments->exposure,
+                      "Stops (EV), or auto; without it: the project's");
+  command->add_option(
+      "--ocio-view", arguments->view,
+      "View: Filmic, ACES, sRGB, Reinhard, \"False colour\"; without it: the project's");
+  command
+      ->add_option("--range", arguments->range,
+                   "False colour: MIN,MAX in lux; without it: what fits")
+      ->delimiter(',')
+      ->expected(2);
+  command->add_flag("--log", arguments->logarithmic,
+                    "False colour: a logarithmic scale, with --range");
+  command->add_option("--title", arguments->title, "Text printed into the picture");
+  command->callback([&session, arguments, make = std::move(make)] {
+    session.run = [arguments, &session, make] { return runRender(*arguments, session, make); };
+  });
+}
+
+}  // namespace soffit::cli
