@@ -90,6 +90,14 @@ Result<void> replaceFile(const fs::path& target, std::string_view content,
   return {};
 }
 
+/// To a device or a pipe, which cannot be replaced.
+Result<void> writeStream(const fs::path& target, std::string_view content) {
+  std::ofstream stream(target, std::ios::binary);
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  if (!stream.flush()) return systemError(target, "the content cannot be written", errno);
+  return {};
+}
+
 }  // namespace
 
 Result<void> writeFileAtomically(const fs::path& path, std::string_view content,
@@ -103,9 +111,10 @@ Result<void> writeFileAtomically(const fs::path& path, std::string_view content,
   }
   struct stat status {};
   const bool exists = ::stat(target.c_str(), &status) == 0;
-  if (exists && !S_ISREG(status.st_mode)) {
-    return Error{path.string(), "this is a folder or a device, not a file", "Name a file."};
+  if (exists && S_ISDIR(status.st_mode)) {
+    return Error{path.string(), "this is a folder, not a file", "Name a file."};
   }
+  if (exists && !S_ISREG(status.st_mode)) return writeStream(target, content);
   std::optional<mode_t> mode;
   if (exists) mode = status.st_mode & 07777U;
   if (exists && previous == Previous::kept_as_backup) {

@@ -17,9 +17,10 @@ enum class Previous { replaced, kept_as_backup };
 /// Writes `content` to a temporary file in the same folder, has it reach the disk and renames it,
 /// so that at any moment `path` holds the old or the new content, whole.
 ///
-/// A symbolic link is followed; the mode of an existing file is kept. With kept_as_backup the old
+/// A symbolic link is followed; the mode of an existing file is kept; a device or a pipe is written
+/// to as it stands. With kept_as_backup the old
 /// content stays beside it as `path` with "~" added. Errors: the folder is missing or may not be
-/// written, the path is a folder or a device, the disk is full; nothing is left behind then.
+/// written, the path is a folder, the disk is full; nothing is left behind then.
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view content,
                                  Previous previous = Previous::replaced);
 

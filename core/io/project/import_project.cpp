@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string>
@@ -93,6 +95,35 @@ Result<void> writeFiles(const fs::path& folder, const Files& files) {
   return {};
 }
 
+/// Model files give single precision: 0.7 arrives as 0.699999988. The shortest decimal that means
+/// the same float is what its author wrote.
+double shortDecimal(double value) {
+  const auto single = static_cast<float>(value);
+  if (static_cast<double>(single) != value) return value;
+  char digits[32];
+  const auto end = std::to_chars(std::begin(digits), std::end(digits), single);
+  double decimal = value;
+  std::from_chars(std::begin(digits), end.ptr, decimal);
+  return decimal;
+}
+
+/// The materials as the project states them. Of one that the model does not describe the project
+/// says nothing either, so that it is warned about until somebody decides.
+void takeMaterials(const LoadedModel& model, Project& project) {
+  for (std::size_t i = 0; i < model.materials.size(); ++i) {
+    scene::Material material = model.materials[i];
+    if (!model.described[i] && !material.glass) {
+      project.file_materials.push_back(material);
+      project.warnings.push_back(fmt::format(
+          "materials.{}: the model tells no colour; diffuse 0.5 is taken", material.name));
+    }
+    for (int k = 0; k < 3; ++k) material.diffuse[k] = shortDecimal(material.diffuse[k]);
+    material.specular = shortDecimal(material.specular);
+    material.roughness = shortDecimal(material.roughness);
+    project.scene.materials.push_back(std::move(material));
+  }
+}
+
 Project makeProject(const fs::path& file, const fs::path& model_file, const LoadedModel& model,
                     const ImportChoices& choices) {
   Project project;
@@ -100,12 +131,7 @@ Project makeProject(const fs::path& file, const fs::path& model_file, const Load
   project.geometry.push_back({model_file.filename().string(), choices.unit, choices.up});
   project.scene.name = file.stem().string();
   project.scene.mesh = model.mesh;
-  project.scene.materials = model.materials;
-  for (std::size_t i = 0; i < model.materials.size(); ++i) {
-    if (model.described[i] || model.materials[i].glass) continue;
-    project.warnings.push_back(fmt::format(
-        "materials.{}: the model tells no colour; diffuse 0.5 is taken", model.materials[i].name));
-  }
+  takeMaterials(model, project);
   project.scene.layouts.push_back({"Base", {}});
   StartingPlace start = startingPlace(*model.mesh);
   project.scene.cameras.push_back(std::move(start.camera));

@@ -16,6 +16,7 @@ constexpr int kStoreys = 64;  // surfaces followed on one plumb line
 constexpr int kDirections = 24;
 constexpr float kEye = 1.6F;  // metres above the floor
 constexpr float kDesk = 0.8F;
+constexpr float kLintel = 2.25F;  // metres above the floor
 constexpr float kLeastRoom = 2.0F;
 constexpr float kMostRoom = 12.0F;
 constexpr float kLeastDistance = 0.3F;
@@ -101,13 +102,27 @@ dvec3 tidy(const dvec3& p) {
   return {tidy(p.x), tidy(p.y), tidy(p.z)};
 }
 
+/// The distance to the wall: the least of three parallel rays, so that a gap beside a wardrobe is
+/// no way out.
+double wallDistance(const geometry::RayCaster& caster, const vec3& from, const vec3& direction) {
+  const vec3 aside(-direction.y, direction.x, 0.0F);
+  float least = reach(caster, from, direction);
+  for (const float shift : {-kLeastDistance, kLeastDistance}) {
+    least = std::min(least, reach(caster, from + shift * aside, direction));
+  }
+  return least;
+}
+
 std::optional<scene::WorkPlane> deskPlane(const geometry::RayCaster& caster, const Place& place,
                                           const dvec3& origin) {
   const vec3 desk = place.eye - vec3(0.0F, 0.0F, kEye - kDesk);
-  const double west = reach(caster, desk, {-1.0F, 0.0F, 0.0F});
-  const double east = reach(caster, desk, {1.0F, 0.0F, 0.0F});
-  const double south = reach(caster, desk, {0.0F, -1.0F, 0.0F});
-  const double north = reach(caster, desk, {0.0F, 1.0F, 0.0F});
+  // Above doors and most furniture, where a room's walls are whole.
+  vec3 high = place.eye;
+  high.z += std::min(kLintel - kEye, 0.9F * reach(caster, place.eye, {0.0F, 0.0F, 1.0F}));
+  const double west = wallDistance(caster, high, {-1.0F, 0.0F, 0.0F});
+  const double east = wallDistance(caster, high, {1.0F, 0.0F, 0.0F});
+  const double south = wallDistance(caster, high, {0.0F, -1.0F, 0.0F});
+  const double north = wallDistance(caster, high, {0.0F, 1.0F, 0.0F});
   const dvec2 size(west + east, south + north);
   if (!std::isfinite(size.x + size.y) || std::min(size.x, size.y) < kCell) return std::nullopt;
   const dvec2 border = glm::min(dvec2(kBorder), 0.1 * size);
