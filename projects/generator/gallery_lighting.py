@@ -60,10 +60,10 @@ def _tubes():
     for y in (0.85, 5.15):
         for i in range(5):
             k += 1
-            fields[f"Tube {k}"] = luminaire_fields({"tube": [1.5, 0.013]}, [1.6 + 1.7 * i, y, 3.02], 1500, "Tubes", cct=4000)
+            fields[f"Tube {k}"] = luminaire_fields({"tube": [1.5, 0.013]}, [1.6 + 1.7 * i, y, 3.02], 2000, "Tubes", cct=4000)
     for y in (2.1, 3.9):
         k += 1
-        fields[f"Tube {k}"] = luminaire_fields({"tube": [1.5, 0.013]}, [9.15, y, 3.02], 1500, "Tubes", cct=4000,
+        fields[f"Tube {k}"] = luminaire_fields({"tube": [1.5, 0.013]}, [9.15, y, 3.02], 2000, "Tubes", cct=4000,
                                                rotation=[0, 0, 90])
     return fields
 
