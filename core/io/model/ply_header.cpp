@@ -32,8 +32,7 @@ std::string plyHeaderProblem(const std::filesystem::path& file) {
     if (key != "element") continue;
     std::string name;
     std::int64_t count = -1;
-    words >> name >> count;
-    if (count < 0 || static_cast<std::uintmax_t>(count) > size) {
+    if (!(words >> name >> count) || count < 0 || static_cast<std::uintmax_t>(count) > size) {
       return fmt::format("announces an impossible number of elements '{}'", name);
     }
   }

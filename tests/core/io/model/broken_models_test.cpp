@@ -51,7 +51,7 @@ void survives(const std::string& name, std::string_view text) {
   const ScratchFolder folder;
   Rng rng(2024);
   int errors = 0;
-  constexpr int kRounds = 150;
+  constexpr int kRounds = 80;
   for (int i = 0; i < kRounds; ++i) {
     const auto model = importModel(folder.write(name, damaged(std::string(text), rng)), {});
     if (model) {
