@@ -46,10 +46,10 @@ TEST(Room, UniformClosedRoomHasMeanFluxOverSurfaceTimesAbsorption) {
     const auto room = test::Builder().box(lo, hi, matte(rho)).scene();
     const ReferenceScene scene =
         test::prepare(room, {luminaire(light::Sphere{0.3}, {1.8, 2.1, 2.3})});
-    const auto sensors = spreadOverWalls(lo, hi, 1200);
+    const auto sensors = spreadOverWalls(lo, hi, 900);
     EstimateOptions options;
     options.relative_error = 1.0;
-    options.min_replicates = 4;
+    options.min_replicates = 3;
     options.paths_per_replicate = 64;
     const Estimate e = estimate(scene, sensors, options);
     double mean = 0.0;
@@ -59,11 +59,11 @@ TEST(Room, UniformClosedRoomHasMeanFluxOverSurfaceTimesAbsorption) {
       variance += s.standard_error * s.standard_error / double(sensors.size() * sensors.size());
     }
     const double expected = 1000.0 / (96.0 * (1.0 - rho));
-    // Statistical, plus the truncation of 200 low-discrepancy points per wall (under 0.3 % of
-    // the direct part, measured with 20,000).
+    // Statistical, plus the truncation of 150 low-discrepancy points per wall: 0.2 % of the direct
+    // part, by the closed form summed over the same points.
     const double truncation = 0.003 * 1000.0 / 96.0;
     EXPECT_NEAR(mean, expected, kSigmas * std::sqrt(variance) + truncation) << rho;
-    EXPECT_LT(std::sqrt(variance), 0.005 * expected) << rho;
+    EXPECT_LT(std::sqrt(variance), 0.008 * expected) << rho;
   }
 }
 

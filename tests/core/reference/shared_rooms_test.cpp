@@ -116,7 +116,7 @@ Comparison compare(const SharedRoom& room, std::size_t position, std::size_t str
     expected.emplace_back(r[6 + 2 * position], r[7 + 2 * position]);
   }
   EstimateOptions options;
-  options.relative_error = 0.015;
+  options.relative_error = 0.02;
   options.paths_per_replicate = 256;
   const Estimate found = estimate(scene, sensors, options);
   EXPECT_TRUE(found.reached);
