@@ -39,11 +39,10 @@ bool is(double angle, double wanted) {
 }
 
 Result<Selection> wholeCircle(const std::vector<double>& c) {
-  if (c.size() == 1) return Selection{c, Mirror::none};
   double widest = 0.0;
   for (std::size_t i = 0; i + 1 < c.size(); ++i) widest = std::max(widest, c[i + 1] - c[i]);
   const double closing = c.front() + 360.0 - c.back();
-  if (c.front() < -kAngleDeg || closing < -kAngleDeg || closing > 1.5 * widest) {
+  if (c.size() > 1 && (c.front() < -kAngleDeg || closing < -kAngleDeg || closing > 1.5 * widest)) {
     return wrongPlanes("all round", c.front(), c.back(), 0);
   }
   return Selection{c, Mirror::none};
