@@ -10,7 +10,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 build=(cmake ninja-build ccache pkg-config g++)
-core=(libtbb-dev libglm-dev libfmt-dev libeigen3-dev libhwy-dev nlohmann-json3-dev libassimp-dev
+core=(libtbb-dev libglm-dev libfmt-dev libeigen3-dev libhwy-dev libxxhash-dev nlohmann-json3-dev libassimp-dev
       libembree-dev libopencolorio-dev libopenimageio-dev
       openimageio-tools)  # not run by us: the export file of libopenimageio-dev insists on it
 program=(libcli11-dev gnuplot-nox)  # gnuplot draws the plot of `soffit bench`
