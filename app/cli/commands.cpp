@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/commands.h"
 
+#include "app/cli/engine.h"
+#include "app/cli/render_command.h"
+
 namespace soffit::cli {
 
 const std::vector<AddCommand>& commands() {
@@ -8,6 +11,11 @@ const std::vector<AddCommand>& commands() {
       addInfoCommand,
       addImportCommand,
       addLuminaireCommand,
+      addBakeCommand,
+      addMeasureCommand,
+      addReferenceCommand,
+      addMoveCommand,
+      [](CLI::App& app, Session& session) { addRenderCommand(app, session, pictureLight(session)); },
   };
   return list;
 }

@@ -18,6 +18,10 @@ namespace soffit::cli {
 void addInfoCommand(CLI::App& app, Session& session);
 void addImportCommand(CLI::App& app, Session& session);
 void addLuminaireCommand(CLI::App& app, Session& session);
+void addMeasureCommand(CLI::App& app, Session& session);
+void addMoveCommand(CLI::App& app, Session& session);
+void addBakeCommand(CLI::App& app, Session& session);
+void addReferenceCommand(CLI::App& app, Session& session);
 
 using AddCommand = void (*)(CLI::App& app, Session& session);
 

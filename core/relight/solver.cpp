@@ -243,41 +243,60 @@ void Solver::indirect(Column& column, std::span<const float> open, std::vector<v
   if (source != nullptr) radiosityOf(column, open, &e1, coefficients, *source);
 }
 
-void Solver::add(const Column& column, const dvec3& weight, std::array<std::vector<float>, 3>& total,
-                 StageTimes* times) const {
-  Lap lap;
+void Solver::addCluster(const Column& column, const vec4& w, std::size_t i, Planes& total) const {
   const transfer::Operators& op = *operators_;
+  const light::Receivers::Cluster& c = op.texels.receivers.clusters[i];
+  float* r = &total[0][c.begin];
+  float* g = &total[1][c.begin];
+  float* b = &total[2][c.begin];
+  const std::size_t slots = c.end - c.begin;
+  if (!column.direct.empty() && column.lit[i] != 0) {
+    transfer::addScaled(w.x, &column.direct[c.begin], r, slots);
+    transfer::addScaled(w.y, &column.direct[c.begin], g, slots);
+    transfer::addScaled(w.z, &column.direct[c.begin], b, slots);
+  }
+  if (!column.skeleton.empty()) {
+    const transfer::ClusterWeights& cw = op.clusters[i];
+    std::array<vec4, 256> y;
+    for (std::uint32_t k = 0; k < cw.rank; ++k) y[k] = w * column.skeleton[cw.first_list + k];
+    transfer::interpolate(std::span(op.weights).subspan(cw.first_weight, cw.rank * slots),
+                          std::span<const vec4>(y.data(), cw.rank), slots, r, g, b);
+  } else if (!column.node[0].empty()) {
+    for (std::uint32_t s = c.begin; s < c.end; ++s) {
+      const transfer::Nodes::Patch& p = op.nodes.patches[op.nodes.patch_of[s]];
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::vector<float>& coefficients = column.node[k];
+        float value = coefficients[p.first];
+        if (p.count > 1) value += coefficients[p.first + 1] * op.nodes.phi[s].x;
+        if (p.count > 2) value += coefficients[p.first + 2] * op.nodes.phi[s].y;
+        total[k][s] += w[static_cast<int>(k)] * std::max(0.0F, value);
+      }
+    }
+  }
+}
+
+void Solver::add(const Column& column, const dvec3& weight, Planes& total, StageTimes* times) const {
+  Lap lap;
   const vec4 w(vec3(weight), 0.0F);
-  parallelFor(op.texels.receivers.clusters.size(), 8, [&](std::size_t begin, std::size_t end) {
-    std::vector<vec4> y;
+  parallelFor(operators_->texels.receivers.clusters.size(), 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) addCluster(column, w, i, total);
+  });
+  if (times != nullptr) times->interpolate += lap.ms();
+}
+
+void Solver::addTo(const Column& column, const dvec3& weight, const Planes& rest, Planes& total,
+                   StageTimes* times) const {
+  Lap lap;
+  const vec4 w(vec3(weight), 0.0F);
+  const auto& clusters = operators_->texels.receivers.clusters;
+  for (std::size_t k = 0; k < 3; ++k) total[k].resize(rest[k].size());
+  parallelFor(clusters.size(), 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const light::Receivers::Cluster& c = op.texels.receivers.clusters[i];
-      float* r = &total[0][c.begin];
-      float* g = &total[1][c.begin];
-      float* b = &total[2][c.begin];
-      const std::size_t slots = c.end - c.begin;
-      if (!column.direct.empty() && column.lit[i] != 0) {
-        transfer::addScaled(w.x, &column.direct[c.begin], r, slots);
-        transfer::addScaled(w.y, &column.direct[c.begin], g, slots);
-        transfer::addScaled(w.z, &column.direct[c.begin], b, slots);
+      for (std::size_t k = 0; k < 3; ++k) {
+        std::copy(rest[k].begin() + clusters[i].begin, rest[k].begin() + clusters[i].end,
+                  total[k].begin() + clusters[i].begin);
       }
-      if (!column.skeleton.empty()) {
-        const transfer::ClusterWeights& cw = op.clusters[i];
-        y.assign(column.skeleton.begin() + cw.first_list, column.skeleton.begin() + cw.first_list + cw.rank);
-        for (vec4& v : y) v *= w;
-        transfer::interpolate(std::span(op.weights).subspan(cw.first_weight, cw.rank * slots), y, slots, r, g, b);
-      } else if (!column.node[0].empty()) {
-        for (std::uint32_t s = c.begin; s < c.end; ++s) {
-          const transfer::Nodes::Patch& p = op.nodes.patches[op.nodes.patch_of[s]];
-          for (std::size_t k = 0; k < 3; ++k) {
-            const std::vector<float>& coefficients = column.node[k];
-            float value = coefficients[p.first];
-            if (p.count > 1) value += coefficients[p.first + 1] * op.nodes.phi[s].x;
-            if (p.count > 2) value += coefficients[p.first + 2] * op.nodes.phi[s].y;
-            total[k][s] += w[static_cast<int>(k)] * std::max(0.0F, value);
-          }
-        }
-      }
+      addCluster(column, w, i, total);
     }
   });
   if (times != nullptr) times->interpolate += lap.ms();

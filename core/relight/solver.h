@@ -67,12 +67,17 @@ class Solver {
   void add(const Column& column, const dvec3& weight, std::array<std::vector<float>, 3>& total,
            StageTimes* times = nullptr) const;
 
+  /// The same into another sum: total = rest + weight * column, in one pass.
+  void addTo(const Column& column, const dvec3& weight, const std::array<std::vector<float>, 3>& rest,
+             std::array<std::vector<float>, 3>& total, StageTimes* times = nullptr) const;
+
   /// Gives invalid texels the light of the valid ones they stand for.
   void fill(std::array<std::vector<float>, 3>& total) const;
 
  private:
   using Planes = std::array<std::vector<float>, 3>;
   void factor();
+  void addCluster(const Column& column, const vec4& weight, std::size_t cluster, Planes& total) const;
   void coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const;
   void firstBounce(const Column& column, std::span<const float> open, std::vector<vec4>& y1, Planes& e1) const;
   void solveNodes(const Planes& radiosity, Planes& coefficients, Planes& sent) const;

@@ -26,6 +26,22 @@ bool samePlace(const SurfaceSample& a, const SurfaceSample& b) {
          std::abs(glm::dot(d, a.point.normal)) < 0.5F * a.footprint;
 }
 
+/// The part of the picture that a box can cover; everything where it reaches behind the camera.
+vec4 pictureArea(const CameraFrame& camera, const Box& box) {
+  constexpr float kFar = 1.0e9F;
+  vec4 area(kFar, kFar, -kFar, -kFar);
+  for (int corner = 0; corner < 8; ++corner) {
+    const dvec3 p((corner & 1) != 0 ? box.hi.x : box.lo.x, (corner & 2) != 0 ? box.hi.y : box.lo.y,
+                  (corner & 4) != 0 ? box.hi.z : box.lo.z);
+    const dvec3 seen = camera.project(p);
+    if (seen.z <= 1.0e-3) return {-kFar, -kFar, kFar, kFar};
+    const vec2 at(glm::clamp(dvec2(seen), -1.0e9, 1.0e9));
+    area = {std::min(area.x, at.x), std::min(area.y, at.y), std::max(area.z, at.x),
+            std::max(area.w, at.y)};
+  }
+  return area;
+}
+
 }  // namespace
 
 TileRenderer::TileRenderer(const ViewScene& scene, const CameraFrame& camera,
@@ -34,7 +50,28 @@ TileRenderer::TileRenderer(const ViewScene& scene, const CameraFrame& camera,
       camera_(camera),
       options_(options),
       illumination_(illumination),
-      reflector_(scene, illumination, options, static_cast<float>(camera.pixelAngle())) {}
+      reflector_(scene, illumination, options, static_cast<float>(camera.pixelAngle())) {
+  for (const light::Emitter& e : scene.emitters())
+    luminaires_.push_back(pictureArea(camera, e.bounds));
+}
+
+bool TileRenderer::mayShowLuminaires(std::span<const PixelTask> tasks) const {
+  int left = tasks.front().x;
+  int right = left;
+  int top = tasks.front().y;
+  int bottom = top;
+  for (const PixelTask& task : tasks) {
+    left = std::min(left, task.x);
+    right = std::max(right, task.x);
+    top = std::min(top, task.y);
+    bottom = std::max(bottom, task.y);
+  }
+  // The filter reaches a pixel beyond, the far edge is a pixel further, one is for rounding.
+  const vec4 tile(left - 2, top - 2, right + 3, bottom + 3);
+  return std::any_of(luminaires_.begin(), luminaires_.end(), [&](const vec4& l) {
+    return l.x <= tile.z && l.z >= tile.x && l.y <= tile.w && l.w >= tile.y;
+  });
+}
 
 void TileRenderer::render(std::span<const PixelTask> tasks, std::span<const vec2> pattern,
                           TileScratch& s, Film& film, SpecularLayer* layer) const {
@@ -63,7 +100,20 @@ void TileRenderer::trace(std::span<const PixelTask> tasks, std::span<const vec2>
   }
   s.hits.resize(s.rays.size());
   s.first.resize(s.rays.size());
-  traceFirst(scene_, s.rays, s.hits, s.first);
+  traceFirst(scene_, s.rays, mayShowLuminaires(tasks), s.hits, s.first);
+}
+
+/// The common case made cheap: the neighbouring sample on the same plain triangle.
+bool TileRenderer::sameAsBefore(std::size_t i, const TileScratch& s) const {
+  if (s.group_of[i - 1] == kNoGroup) return false;
+  const geometry::Hit& hit = s.first[i].surface;
+  const geometry::Hit& before = s.first[i - 1].surface;
+  const ViewMaterial& m = scene_.material(hit.triangle);
+  if (hit.triangle != before.triangle || m.f0 > 0.0F || m.diffuse_map || m.normal_map) return false;
+  const SurfaceSample& sample = s.samples[i - 1];
+  return glm::dot(sample.point.normal, sample.point.shading_normal) > 0.9999F &&
+         std::abs(hit.t - before.t) * glm::dot(sample.point.normal, sample.to_eye) <
+             2.0F * sample.footprint;
 }
 
 void TileRenderer::groupSamples(std::span<const PixelTask> tasks, std::size_t per_pixel,
@@ -80,6 +130,13 @@ void TileRenderer::groupSamples(std::span<const PixelTask> tasks, std::size_t pe
     s.first_group.push_back(static_cast<std::uint32_t>(begin));
     for (std::size_t i = pixel * per_pixel; i < (pixel + 1) * per_pixel; ++i) {
       if (!s.first[i].surface.valid()) continue;
+      if (i > pixel * per_pixel && tasks[pixel].share && sameAsBefore(i, s)) {
+        s.samples[i] = s.samples[i - 1];
+        s.group_of[i] = s.group_of[i - 1];
+        s.groups[s.group_of[i]].count += 1;
+        s.groups[s.group_of[i]].normals += s.samples[i].point.shading_normal;
+        continue;
+      }
       s.samples[i] = sampleSurface(scene_, s.rays[i], s.first[i].surface, how);
       std::size_t group = tasks[pixel].share ? begin : s.groups.size();
       while (group < s.groups.size() && !samePlace(s.samples[s.groups[group].first], s.samples[i]))

@@ -57,6 +57,8 @@ class TileRenderer {
 
  private:
   void trace(std::span<const PixelTask> tasks, std::span<const vec2> pattern, TileScratch& s) const;
+  [[nodiscard]] bool mayShowLuminaires(std::span<const PixelTask> tasks) const;
+  [[nodiscard]] bool sameAsBefore(std::size_t i, const TileScratch& s) const;
   void groupSamples(std::span<const PixelTask> tasks, std::size_t per_pixel, TileScratch& s) const;
   void resolve(const PixelTask& task, std::size_t pixel, std::size_t per_pixel,
                const TileScratch& s, Film& film) const;
@@ -68,6 +70,7 @@ class TileRenderer {
   const RenderOptions& options_;
   const Illumination& illumination_;
   Reflector reflector_;
+  std::vector<vec4> luminaires_;  ///< where they can be in the picture: left, top, right, bottom
 };
 
 }  // namespace soffit::render

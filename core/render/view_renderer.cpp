@@ -88,16 +88,26 @@ class EdgeFinder {
     return step(x, y, x - 1, y) || step(x, y, x + 1, y) || step(x, y, x, y - 1) ||
            step(x, y, x, y + 1);
   }
-  /// Samples that saw different places.
-  [[nodiscard]] bool mixed(int x, int y) const { return mixed_[film_.at(x, y)] != 0; }
+  /// Samples that saw different places, here or next door: the filter reaches into the neighbours.
+  [[nodiscard]] bool mixed(int x, int y) const {
+    const std::uint32_t own = surfaceAt(x, y);
+    for (int j = std::max(y - 1, 0); j <= std::min(y + 1, film_.height - 1); ++j) {
+      for (int i = std::max(x - 1, 0); i <= std::min(x + 1, film_.width - 1); ++i) {
+        if (mixed_[film_.at(i, j)] != 0 || surfaceAt(i, j) != own) return true;
+      }
+    }
+    return false;
+  }
 
  private:
+  [[nodiscard]] std::uint32_t surfaceAt(int x, int y) const {
+    const std::uint32_t triangle = film_.triangle[film_.at(x, y)];
+    return triangle == geometry::kNoTriangle ? triangle : scene_.surface(triangle);
+  }
   [[nodiscard]] bool step(int x, int y, int i, int j) const {
     if (i < 0 || j < 0 || i >= film_.width || j >= film_.height) return false;
-    const std::uint32_t a = film_.triangle[film_.at(x, y)];
-    const std::uint32_t b = film_.triangle[film_.at(i, j)];
-    if (a == geometry::kNoTriangle || b == geometry::kNoTriangle) return false;
-    if (scene_.surface(a) != scene_.surface(b)) return false;
+    const std::uint32_t surface = surfaceAt(x, y);
+    if (surface == geometry::kNoTriangle || surface != surfaceAt(i, j)) return false;
     const float here = film_.lux[film_.at(x, y)];
     const float there = film_.lux[film_.at(i, j)];
     return std::abs(here - there) > kEdgeStep * std::max(here, there) + floor_;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/relight/lighting.h"
+#include "core/relight/solver.h"
+#include "core/scene/scene.h"
+#include "core/transfer/operators.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace soffit::relight {
+
+/// What a quality means in numbers. Presets lie on the measured front of run time against error
+/// (`soffit bench`); single settings of the project override them by these names: texels,
+/// least_cell, patch, node_rays, trainings, field_rays, list_rays, max_rank, tolerance, sensor_rays.
+struct QualitySettings {
+  transfer::BakeSettings bake;
+  int sensor_rays = 64;  ///< squared: gather rays per sensor
+};
+
+/// Errors: an unknown preset or setting, a value out of its range.
+Result<QualitySettings> qualitySettings(const scene::Quality& quality);
+
+/// How the engine came to be.
+struct EngineReport {
+  transfer::BakeCounts bake;
+  bool cached = false;
+  std::size_t bytes = 0;                ///< of the operators
+  std::vector<std::string> messages;    ///< warnings, one line each
+};
+
+/// Static scene, operators (baked or from the cache) and solver of a scene.
+/// Errors: quality's, cancelled.
+Result<std::shared_ptr<const Solver>> makeSolver(const scene::Scene& scene, const QualitySettings& quality,
+                                                 bool use_cache, const Job& job, EngineReport& report,
+                                                 const transfer::CoarseResult& coarse = {});
+
+/// The static half alone, for those who need no operators.
+std::shared_ptr<const transfer::StaticScene> makeStaticScene(const scene::Scene& scene);
+
+}  // namespace soffit::relight

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "core/relight/lighting.h"
+
+#include "core/base/parallel.h"
+#include "core/relight/bodies.h"
+
+#include <algorithm>
+
+namespace soffit::relight {
+namespace {
+
+/// Whether two emitters shed the same light up to gain and colour.
+bool sameLight(const light::Emitter& a, const light::Emitter& b) {
+  return a.kind == b.kind && a.position == b.position && a.world_from_light == b.world_from_light &&
+         a.outline == b.outline && a.disk == b.disk && a.radius == b.radius && a.axis == b.axis &&
+         a.half_length == b.half_length && a.corners == b.corners && a.flux == b.flux && a.lambertian == b.lambertian &&
+         a.table == b.table && a.table_scale == b.table_scale && a.casts_shadow == b.casts_shadow;
+}
+
+Planes zeros(std::size_t n) {
+  Planes p;
+  for (auto& plane : p) plane.assign(n, 0.0F);
+  return p;
+}
+
+}  // namespace
+
+std::vector<light::MaskBlocker> Lighting::otherBodies(std::size_t i) const {
+  std::vector<light::MaskBlocker> out;
+  for (std::size_t k = 0; k < entries_.size(); ++k) {
+    // Its own body does not block a luminaire's light, except that a mesh shades itself.
+    if (k == i && emitters_[k].kind != light::EmitterKind::mesh) continue;
+    out.insert(out.end(), entries_[k].body.begin(), entries_[k].body.end());
+  }
+  return out;
+}
+
+std::vector<float> Lighting::openShare() const {
+  std::vector<float> open;
+  for (const light::Emitter& e : emitters_) {
+    if (!e.casts_shadow) continue;
+    if (open.empty()) open.assign(solver_->operators().texels.slotCount(), 1.0F);
+    coverTexels(e, solver_->operators().texels, open);
+  }
+  return open;
+}
+
+void Lighting::compute(std::size_t i) {
+  Entry& entry = entries_[i];
+  light::DirectCounts counts;
+  solver_->direct(emitters_[i], otherBodies(i), entry.column, &counts);
+  solver_->indirect(entry.column, openShare());
+  counts_.add(counts);
+  entry.ready = true;
+}
+
+Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaires, const Job& job) {
+  std::vector<light::Emitter> emitters;
+  for (const light::Luminaire& l : luminaires) {
+    auto emitter = light::makeEmitter(l, solver_->scene().mesh->origin);
+    if (!emitter) return emitter.error();
+    emitters.push_back(std::move(*emitter));
+  }
+  // A body anywhere changes every column's shadows: then all are computed again.
+  const auto bodies = [](const std::vector<light::Emitter>& list) {
+    return std::any_of(list.begin(), list.end(), [](const light::Emitter& e) { return e.casts_shadow; });
+  };
+  const bool keep = !bodies(emitters) && !bodies(emitters_);
+  std::vector<Entry> entries(emitters.size());
+  for (std::size_t i = 0; i < emitters.size(); ++i) {
+    entries[i].body = bodyBlockers(emitters[i]);
+    if (keep && i < emitters_.size() && entries_[i].ready && sameLight(emitters[i], emitters_[i])) {
+      entries[i].column = std::move(entries_[i].column);
+      entries[i].ready = true;
+    }
+  }
+  emitters_ = std::move(emitters);
+  entries_ = std::move(entries);
+  grabbed_ = static_cast<std::size_t>(-1);
+  for (std::size_t i = 0; i < emitters_.size(); ++i) {
+    if (job.cancelled()) return Error{"light", "cancelled", ""};
+    job.report("computing luminaires", static_cast<double>(i) / static_cast<double>(emitters_.size()));
+    if (!entries_[i].ready && emitters_[i].gain > 0.0) compute(i);
+  }
+  return {};
+}
+
+void Lighting::setMix(std::size_t i, double gain, const dvec3& color) {
+  emitters_[i].gain = gain;
+  emitters_[i].color = color;
+  if (gain > 0.0 && !entries_[i].ready) compute(i);
+}
+
+Planes Lighting::total() const {
+  Planes sum = zeros(solver_->operators().texels.slotCount());
+  for (std::size_t i = 0; i < emitters_.size(); ++i) {
+    if (emitters_[i].gain > 0.0) solver_->add(entries_[i].column, weight(i), sum);
+  }
+  solver_->fill(sum);
+  return sum;
+}
+
+Planes Lighting::indirectTotal() const {
+  Planes sum = zeros(solver_->operators().texels.slotCount());
+  for (std::size_t i = 0; i < emitters_.size(); ++i) {
+    if (emitters_[i].gain <= 0.0) continue;
+    Column indirect;
+    indirect.skeleton = entries_[i].column.skeleton;
+    indirect.node = entries_[i].column.node;
+    solver_->add(indirect, weight(i), sum);
+  }
+  solver_->fill(sum);
+  for (auto& plane : sum) {
+    for (float& e : plane) e = std::max(e, 0.0F);
+  }
+  return sum;
+}
+
+void Lighting::grab(std::size_t index) {
+  grabbed_ = index;
+  // In double: with 300 lights the rest is as exact as one of them.
+  const std::size_t slots = solver_->operators().texels.slotCount();
+  std::array<std::vector<double>, 3> sum;
+  for (auto& plane : sum) plane.assign(slots, 0.0);
+  for (std::size_t i = 0; i < emitters_.size(); ++i) {
+    if (i == index || emitters_[i].gain <= 0.0) continue;
+    Planes one = zeros(slots);
+    solver_->add(entries_[i].column, weight(i), one);
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t s = 0; s < slots; ++s) sum[c][s] += static_cast<double>(one[c][s]);
+    }
+  }
+  rest_ = zeros(slots);
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t s = 0; s < slots; ++s) rest_[c][s] = static_cast<float>(sum[c][s]);
+  }
+  moved_ = rest_;
+}
+
+StageTimes Lighting::move(const light::Emitter& emitter, light::DirectCounts* counts) {
+  StageTimes times;
+  emitters_[grabbed_] = emitter;
+  Entry& entry = entries_[grabbed_];
+  if (emitter.casts_shadow) entry.body = bodyBlockers(emitter);
+  solver_->direct(emitter, otherBodies(grabbed_), entry.column, counts, &times);
+  solver_->indirect(entry.column, openShare(), nullptr, &times);
+  entry.ready = true;
+  solver_->addTo(entry.column, weight(grabbed_), rest_, moved_, &times);
+  solver_->fill(moved_);
+  return times;
+}
+
+std::vector<SensorLight> Lighting::read(const Sensors& sensors, std::optional<std::size_t> only) const {
+  std::vector<SensorLight> out(sensors.size());
+  std::vector<vec4> source(solver_->operators().texels.slotCount(), vec4(0.0F));
+  const std::vector<float> open = openShare();
+  for (std::size_t i = 0; i < emitters_.size(); ++i) {
+    if (emitters_[i].gain <= 0.0 || (only && *only != i)) continue;
+    const dvec3 w = weight(i);
+    const std::vector<double> direct = sensors.direct(*solver_, emitters_[i], otherBodies(i));
+    for (std::size_t k = 0; k < out.size(); ++k) out[k].direct += w * direct[k];
+    std::vector<vec4> one;
+    Column again;
+    again.direct = entries_[i].column.direct;
+    again.lit = entries_[i].column.lit;
+    solver_->indirect(again, open, &one);
+    const vec4 w4(vec3(w), 0.0F);
+    for (std::size_t s = 0; s < one.size(); ++s) source[s] += w4 * one[s];
+  }
+  const std::vector<dvec3> indirect = sensors.indirect(source);
+  for (std::size_t k = 0; k < out.size(); ++k) out[k].indirect = indirect[k];
+  return out;
+}
+
+}  // namespace soffit::relight

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/result.h"
+#include "core/light/emitter.h"
+#include "core/relight/sensors.h"
+#include "core/relight/solver.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace soffit::relight {
+
+using Planes = std::array<std::vector<float>, 3>;
+
+/// The light of a set of luminaires in one scene, a column each: what moved is computed, what only
+/// changed its dimming, colour or switch is mixed again (design.md § 1).
+///
+/// Lux everywhere; RGB planes per slot of the operators' texels. Not thread-safe.
+class Lighting {
+ public:
+  explicit Lighting(std::shared_ptr<const Solver> solver) : solver_(std::move(solver)) {}
+
+  [[nodiscard]] const Solver& solver() const { return *solver_; }
+  [[nodiscard]] std::span<const light::Emitter> emitters() const { return emitters_; }
+
+  /// Replaces all luminaires; columns of emitters whose light is unchanged are kept.
+  /// Errors: makeEmitter's, with the luminaire's name as the place.
+  Result<void> setLuminaires(std::span<const light::Luminaire> luminaires, const Job& job = {});
+
+  /// New gain and colour of luminaire i: no light is computed.
+  void setMix(std::size_t i, double gain, const dvec3& color);
+
+  /// Takes luminaire i in hand: sums all others once. Ends when another is grabbed.
+  void grab(std::size_t i);
+  /// The grabbed luminaire at a new place, and the total at every display point after it.
+  /// Times hold the stages in ms.
+  StageTimes move(const light::Emitter& emitter, light::DirectCounts* counts = nullptr);
+  /// Total after the last move().
+  [[nodiscard]] const Planes& moved() const { return moved_; }
+
+  /// Total light of all luminaires at the texels; invalid texels filled.
+  [[nodiscard]] Planes total() const;
+  /// The indirect part of it alone (for pictures, which compute direct light per pixel).
+  [[nodiscard]] Planes indirectTotal() const;
+
+  /// Readings of all luminaires, or of one.
+  [[nodiscard]] std::vector<SensorLight> read(const Sensors& sensors, std::optional<std::size_t> only = {}) const;
+
+  [[nodiscard]] const light::DirectCounts& counts() const { return counts_; }
+
+ private:
+  struct Entry {
+    Column column;
+    std::vector<light::MaskBlocker> body;
+    bool ready = false;
+  };
+  void compute(std::size_t i);
+  [[nodiscard]] std::vector<light::MaskBlocker> otherBodies(std::size_t i) const;
+  [[nodiscard]] std::vector<float> openShare() const;
+  [[nodiscard]] dvec3 weight(std::size_t i) const { return emitters_[i].gain * emitters_[i].color; }
+
+  std::shared_ptr<const Solver> solver_;
+  std::vector<light::Emitter> emitters_;
+  std::vector<Entry> entries_;
+  std::size_t grabbed_ = static_cast<std::size_t>(-1);
+  Planes rest_;
+  Planes moved_;
+  light::DirectCounts counts_;
+};
+
+}  // namespace soffit::relight
