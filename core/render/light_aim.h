@@ -15,11 +15,13 @@ struct LightAim {
   vec3 intensity{0.0F};   ///< point sources: normal illuminance at the origin, lux, RGB; else 0
 };
 
-/// Aims at a point chosen uniformly on the surface, for spheres and tubes on the half that is
-/// turned towards `origin`; u in [0,1)^2.
+/// Aims at a luminaire; u in [0,1)^2. Spheres: uniform in the cone that they fill (none from
+/// inside); tubes: uniform on the half that is turned towards `origin`; others: uniform by area.
 LightAim aimAt(const light::Emitter& emitter, const dvec3& origin, const vec2& u);
 
-/// Density per m^2 of the points that aimAt() chooses among; the emitter has an area.
-double areaDensity(const light::Emitter& emitter);
+/// The density, sr^-1, with which aimAt() finds a place of the luminaire that is seen from
+/// `origin` along `direction` (unit) at `distance`, where its surface has `normal`.
+double aimPdf(const light::Emitter& emitter, const dvec3& origin, const dvec3& direction,
+              double distance, const dvec3& normal);
 
 }  // namespace soffit::render

@@ -211,9 +211,9 @@ void Reflector::meetEmitter(std::size_t i, ReflectorScratch& s) const {
   float share = 1.0F;
   if (path.pdf > 0.0F) {
     const auto& emitter = scene_.emitters()[static_cast<std::size_t>(hit.emitter)];
-    const auto density = static_cast<float>(areaDensity(emitter));
-    const float cosine = std::abs(glm::dot(hit.normal, s.rays[i].direction));
-    share = path.pdf / (path.pdf + density * hit.t * hit.t / std::max(cosine, 1.0e-6F));
+    const double pdf = aimPdf(emitter, dvec3(s.rays[i].origin), dvec3(s.rays[i].direction),
+                              static_cast<double>(hit.t), dvec3(hit.normal));
+    share = path.pdf / (path.pdf + static_cast<float>(pdf));
   }
   s.radiance[path.target] +=
       share * path.throughput * scene_.emitted(hit.emitter, hit.normal, -s.rays[i].direction);

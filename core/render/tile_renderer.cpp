@@ -75,6 +75,9 @@ bool TileRenderer::mayShowLuminaires(std::span<const PixelTask> tasks) const {
 
 void TileRenderer::render(std::span<const PixelTask> tasks, std::span<const vec2> pattern,
                           TileScratch& s, Film& film, SpecularLayer* layer) const {
+  const auto nearer = [](const vec2& a, const vec2& b) { return glm::dot(a, a) < glm::dot(b, b); };
+  s.central = static_cast<std::size_t>(std::min_element(pattern.begin(), pattern.end(), nearer) -
+                                       pattern.begin());
   trace(tasks, pattern, s);
   groupSamples(tasks, pattern.size(), s);
   s.batch.clear();
@@ -178,7 +181,7 @@ void TileRenderer::resolve(const PixelTask& task, std::size_t pixel, std::size_t
   film.lux[at] = surfaces > 0.0F ? lux / surfaces : 0.0F;
   film.surface[at] = surfaces / count;
   film.lamp[at] = lamps / count;
-  film.triangle[at] = s.first[pixel * per_pixel].surface.triangle;
+  film.triangle[at] = s.first[pixel * per_pixel + s.central].surface.triangle;
 }
 
 void TileRenderer::reflect(std::span<const PixelTask> tasks, std::size_t per_pixel, TileScratch& s,

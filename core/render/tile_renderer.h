@@ -40,6 +40,7 @@ struct TileScratch {
   std::vector<std::uint32_t> mirror_counts;
   std::vector<ReflectingPixel> mirrors;
   std::vector<PixelTask> tasks;
+  std::size_t central = 0;  ///< the sample of a pixel that is nearest to its centre
   IlluminationBatch batch;
   ReflectorScratch reflector;
 };

@@ -142,6 +142,12 @@ struct Run {
   }
 };
 
+/// A number for what a sample sees: a surface, a luminaire or nothing.
+std::uint64_t placeOf(const ViewScene& scene, const FirstHit& hit) {
+  if (hit.emitter.valid()) return 0x100000000U + static_cast<std::uint64_t>(hit.emitter.emitter);
+  return hit.surface.valid() ? scene.surface(hit.surface.triangle) : ~std::uint64_t{0};
+}
+
 void firstPass(Run& run, Film& film, SpecularLayer& layer, std::vector<std::uint8_t>& mixed) {
   const auto pattern = pixelPattern(std::min(run.options.samples, kBaseSamples));
   run.forTiles("rendering", [&](const Tile& tile, TileScratch& scratch) {
@@ -149,10 +155,10 @@ void firstPass(Run& run, Film& film, SpecularLayer& layer, std::vector<std::uint
     run.renderer.render(scratch.tasks, pattern, scratch, film, &layer);
     for (std::size_t i = 0; i < scratch.tasks.size(); ++i) {
       const std::size_t at = film.at(scratch.tasks[i].x, scratch.tasks[i].y);
-      const std::uint32_t groups = scratch.first_group[i + 1] - scratch.first_group[i];
-      const bool whole = film.surface[at] == 1.0F || film.lamp[at] == 1.0F ||
-                         (film.surface[at] == 0.0F && film.lamp[at] == 0.0F);
-      mixed[at] = groups > 1 || !whole ? 1 : 0;
+      const auto samples = std::span(scratch.first).subspan(i * pattern.size(), pattern.size());
+      mixed[at] = std::any_of(samples.begin(), samples.end(), [&](const FirstHit& hit) {
+        return placeOf(run.scene, hit) != placeOf(run.scene, samples.front());
+      });
     }
   });
 }
