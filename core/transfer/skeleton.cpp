@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 
@@ -39,13 +40,7 @@ class ClusterWorker {
     ClusterResult result;
     if (points.empty()) return result;
     const int count = fields_.count;
-    RowMatrix y(static_cast<Eigen::Index>(points.size()), count);
-    y.setZero();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      traceHemisphere(scene_, operators_.texels, r.position(points[i]), r.normal(points[i]), settings_.field_rays,
-                      settings_.seed * 1000003U + points[i], 0.0F, scratch_, hits_);
-      addFields(hits_, y.row(static_cast<Eigen::Index>(i)).data());
-    }
+    const RowMatrix y = gatherDenoised(points);
     const std::vector<Eigen::Index> pivots = choosePivots(y);
     RowMatrix ys(static_cast<Eigen::Index>(pivots.size()), count);
     ys.setZero();
@@ -53,7 +48,7 @@ class ClusterWorker {
       const std::uint32_t slot = points[static_cast<std::size_t>(pivots[k])];
       traceHemisphere(scene_, operators_.texels, r.position(slot), r.normal(slot), settings_.list_rays,
                       settings_.seed * 7919U + 500000003U + slot, 0.0F, scratch_, hits_);
-      addFields(hits_, ys.row(static_cast<Eigen::Index>(k)).data());
+      addFields(hits_.slots, ys.row(static_cast<Eigen::Index>(k)).data());
       result.lists.append(hits_.slots, slot_clusters_);
     }
     result.rank = static_cast<std::uint32_t>(pivots.size());
@@ -62,12 +57,57 @@ class ClusterWorker {
   }
 
  private:
-  void addFields(const HemisphereHits& hits, float* row) const {
-    const float share = 1.0F / static_cast<float>(hits.slots.size());
+  void addFields(std::span<const std::uint32_t> slots, float* row) const {
+    const float share = 1.0F / static_cast<float>(slots.size());
     const auto count = static_cast<std::size_t>(fields_.count);
-    for (const std::uint32_t slot : hits.slots) {
+    for (const std::uint32_t slot : slots) {
       if (slot != kNoTexel) addScaled(share, &fields_.value[slot * count], row, count);
     }
+  }
+
+  /// Gathers the fields at points and averages each with the neighbours that receive the same
+  /// light. The noise of a point's rays is known from its two halves; neighbours whose fields
+  /// differ by no more than that noise are alike in all training lights at once, so real
+  /// differences (contact shade, edges) survive: non-local means (Buades et al. 2005) on vectors
+  /// with measured variances (after Rousselle et al. 2012).
+  RowMatrix gatherDenoised(const std::vector<std::uint32_t>& points) {
+    const light::Receivers& r = operators_.texels.receivers;
+    const auto n = static_cast<Eigen::Index>(points.size());
+    RowMatrix first = RowMatrix::Zero(n, fields_.count);
+    RowMatrix second = RowMatrix::Zero(n, fields_.count);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      traceHemisphere(scene_, operators_.texels, r.position(points[i]), r.normal(points[i]), settings_.field_rays,
+                      settings_.seed * 1000003U + points[i], 0.0F, scratch_, hits_);
+      // Alternate strata: each half covers the whole hemisphere.
+      halves_[0].clear();
+      halves_[1].clear();
+      for (std::size_t k = 0; k < hits_.slots.size(); ++k) halves_[(k + k / 4) % 2].push_back(hits_.slots[k]);
+      addFields(halves_[0], first.row(static_cast<Eigen::Index>(i)).data());
+      addFields(halves_[1], second.row(static_cast<Eigen::Index>(i)).data());
+    }
+    const RowMatrix y = 0.5F * (first + second);
+    const Eigen::VectorXf noise = 0.25F * (first - second).rowwise().squaredNorm();
+    RowMatrix smooth(n, fields_.count);
+    const auto reach = static_cast<float>(4.5 * operators_.texels.cell);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const vec3 p = r.position(points[static_cast<std::size_t>(i)]);
+      const vec3 normal = r.normal(points[static_cast<std::size_t>(i)]);
+      Eigen::RowVectorXf sum = y.row(i);
+      float weight = 1.0F;
+      for (Eigen::Index j = 0; j < n; ++j) {
+        if (j == i || glm::dot(normal, r.normal(points[static_cast<std::size_t>(j)])) < 0.9F) continue;
+        const vec3 d = r.position(points[static_cast<std::size_t>(j)]) - p;
+        const float d2 = glm::dot(d, d) / (reach * reach);
+        if (d2 >= 1.0F) continue;
+        const float expected = noise(i) + noise(j);
+        const float excess = std::max(0.0F, (y.row(i) - y.row(j)).squaredNorm() - expected);
+        const float w = (1.0F - d2) * std::exp(-2.0F * excess / std::max(expected, 1e-12F));
+        sum += w * y.row(j);
+        weight += w;
+      }
+      smooth.row(i) = sum / weight;
+    }
+    return smooth;
   }
 
   /// Rows that span the others, by pivoted Gram-Schmidt, until the worst residual (RMS over the
@@ -116,6 +156,7 @@ class ClusterWorker {
   const SlotClusters& slot_clusters_;
   HemisphereScratch scratch_;
   HemisphereHits hits_;
+  std::array<std::vector<std::uint32_t>, 2> halves_;
 };
 
 }  // namespace
