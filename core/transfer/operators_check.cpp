@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "core/transfer/operators_check.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace soffit::transfer {
+namespace {
+
+/// Below 2^100, so that neither sums nor products of a few overflow; not NaN.
+bool sane(std::span<const float> values) {
+  constexpr std::uint32_t kExponent = 0x7f800000U;
+  constexpr std::uint32_t kLimit = (127U + 100U) << 23U;
+  std::uint32_t bad = 0;  // without an early exit this is a vector loop
+  for (const float v : values) {
+    bad |= (std::bit_cast<std::uint32_t>(v) & kExponent) >= kLimit ? 1U : 0U;
+  }
+  return bad == 0;
+}
+template <class Vector>
+bool saneVectors(const std::vector<Vector>& values) {
+  static_assert(sizeof(Vector) == sizeof(float) * static_cast<std::size_t>(Vector::length()));
+  return values.empty() || sane({&values[0].x, values.size() * sizeof(Vector) / sizeof(float)});
+}
+
+bool below(std::span<const std::uint32_t> values, std::size_t limit) {
+  return std::all_of(values.begin(), values.end(), [&](std::uint32_t v) { return v < limit; });
+}
+
+/// A range [first, first + count) within `size`, without overflow.
+bool within(std::uint64_t first, std::uint64_t count, std::uint64_t size) {
+  return count <= size && first <= size - count;
+}
+
+bool receiversAreSane(const light::Receivers& r) {
+  const std::size_t slots = r.x.size();
+  for (const auto* axis : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) {
+    if (axis->size() != slots || !sane(*axis)) return false;
+  }
+  if (r.point_of.size() != slots || r.groups.size() * light::Receivers::kGroup != slots)
+    return false;
+  if (!below(r.slot_of, slots) || !below(r.point_of, r.slot_of.size())) return false;
+  std::uint32_t next = 0;
+  for (const light::Receivers::Cluster& c : r.clusters) {
+    // A place within a cluster is stored as a byte.
+    if (c.begin != next || c.end <= c.begin || c.end > slots || c.end - c.begin > 256) return false;
+    if (c.end % light::Receivers::kGroup != 0 || c.used == 0 || c.used > c.end - c.begin)
+      return false;
+    next = c.end;
+  }
+  return next == slots;
+}
+
+bool chartsAreSane(const Charts& charts) {
+  if (charts.triangles.size() != charts.chart_of.size()) return false;
+  if (!below(charts.chart_of, charts.charts.size())) return false;
+  if (!below(charts.triangles, charts.chart_of.size())) return false;
+  return std::all_of(charts.charts.begin(), charts.charts.end(), [&](const Chart& c) {
+    const float numbers[] = {c.origin.x, c.origin.y, c.origin.z, c.t.x,   c.t.y,
+                             c.t.z,      c.b.x,      c.b.y,      c.b.z,   c.normal.x,
+                             c.normal.y, c.normal.z, c.size.x,   c.size.y};
+    return c.sides <= kBothSides && sane(numbers) && std::isfinite(c.area) &&
+           within(c.first_triangle, c.triangle_count, charts.triangles.size());
+  });
+}
+
+bool gridsAreSane(const Texels& texels) {
+  if (texels.grids.size() != texels.charts.charts.size()) return false;
+  for (std::size_t i = 0; i < texels.grids.size(); ++i) {
+    const Texels::Grid& grid = texels.grids[i];
+    const std::uint8_t sides = texels.charts.charts[i].sides;
+    if (grid.nu < 1 || grid.nv < 1 || !sane({&grid.cell.x, 2})) return false;
+    if (!(grid.cell.x > 0.0F) || !(grid.cell.y > 0.0F)) return false;
+    const auto per_side = static_cast<std::uint64_t>(grid.nu) * static_cast<std::uint64_t>(grid.nv);
+    const std::uint64_t used = per_side * ((sides & 1U) + (sides >> 1U));
+    if (!within(grid.first, used, texels.cells.size())) return false;
+  }
+  return std::all_of(texels.cells.begin(), texels.cells.end(), [&](std::uint32_t slot) {
+    return slot == kNoTexel || slot < texels.slotCount();
+  });
+}
+
+bool texelsAreSane(const Texels& texels) {
+  const std::size_t slots = texels.receivers.slotCount();
+  return texels.area.size() == slots && texels.material.size() == slots &&
+         texels.triangle.size() == slots && texels.uv.size() == slots &&
+         texels.uv_width.size() == slots && sane(texels.area) && saneVectors(texels.uv) &&
+         sane(texels.uv_width) && below(texels.triangle, texels.charts.chart_of.size()) &&
+         std::isfinite(texels.cell);
+}
+
+bool nodesAreSane(const Nodes& nodes, std::size_t slots) {
+  if (nodes.patch_of.size() != slots || nodes.phi.size() != slots) return false;
+  if (!below(nodes.patch_of, nodes.patches.size()) || !saneVectors(nodes.phi)) return false;
+  std::uint64_t next = 0;  // functions are numbered one after the other
+  for (const Nodes::Patch& p : nodes.patches) {
+    if (p.begin > p.end || p.end > slots || !std::isfinite(p.area)) return false;
+    if (p.first != next || p.count < 1 || p.count > 3) return false;
+    next += p.count;
+  }
+  if (nodes.functions != next || nodes.stride != (nodes.functions + 15) / 16 * 16) return false;
+  return nodes.matrix.size() == nodes.functions * nodes.stride && sane(nodes.matrix);
+}
+
+bool gatherListsAreSane(const GatherLists& lists, const light::Receivers& receivers) {
+  // Blocks and lists follow each other without gaps, as append() makes them.
+  std::uint64_t next = 0;
+  for (const GatherLists::Block& b : lists.blocks) {
+    if (b.cluster >= receivers.clusters.size() || b.first != next || b.count == 0) return false;
+    if (!within(b.first, b.count, lists.entries.size())) return false;
+    const light::Receivers::Cluster& c = receivers.clusters[b.cluster];
+    if (b.base != c.begin) return false;
+    std::uint32_t highest = 0;
+    for (std::uint32_t e = b.first; e < b.first + b.count; ++e) {
+      highest = std::max<std::uint32_t>(highest, lists.entries[e].local);
+    }
+    if (highest >= c.end - c.begin) return false;
+    next += b.count;
+  }
+  if (next != lists.entries.size()) return false;
+  next = 0;
+  for (const GatherLists::List& list : lists.lists) {
+    if (list.first_block != next || !within(next, list.block_count, lists.blocks.size()))
+      return false;
+    if (!sane({&list.scale, 1})) return false;
+    next += list.block_count;
+  }
+  return next == lists.blocks.size();
+}
+
+bool nodeListsAreSane(const NodeLists& lists, const Operators& operators) {
+  const std::size_t patches = lists.first_function.size();
+  if (operators.coarse && patches == 0) return lists.lists.empty() && lists.entries.empty();
+  if (patches != operators.nodes.patches.size() || lists.function_count.size() != patches)
+    return false;
+  for (std::size_t p = 0; p < patches; ++p) {
+    if (!within(lists.first_function[p], lists.function_count[p], operators.nodes.functions))
+      return false;
+    if (lists.function_count[p] < 1 || lists.function_count[p] > 3) return false;
+  }
+  if (lists.lists.size() != operators.lists.lists.size()) return false;
+  for (const NodeLists::Entry& entry : lists.entries) {
+    if (entry.patch >= patches) return false;
+  }
+  return std::all_of(lists.lists.begin(), lists.lists.end(), [&](const NodeLists::List& list) {
+    return within(list.first, list.count, lists.entries.size()) && sane({&list.scale, 1});
+  });
+}
+
+bool weightsAreSane(const Operators& operators) {
+  const auto& clusters = operators.texels.receivers.clusters;
+  if (!sane(operators.weights) || !sane(operators.list_area)) return false;
+  if (operators.list_area.size() != operators.lists.lists.size()) return false;
+  if (operators.coarse && operators.clusters.empty()) return true;
+  if (operators.clusters.size() != clusters.size()) return false;
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    const ClusterWeights& w = operators.clusters[i];
+    const std::uint64_t count = std::uint64_t{w.rank} * (clusters[i].end - clusters[i].begin);
+    if (w.rank > 256 || !within(w.first_list, w.rank, operators.lists.lists.size())) return false;
+    if (!within(w.first_weight, count, operators.weights.size())) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string inconsistency(const Operators& operators) {
+  const std::size_t slots = operators.texels.receivers.slotCount();
+  if (!receiversAreSane(operators.texels.receivers)) return "receivers";
+  if (!chartsAreSane(operators.texels.charts)) return "charts";
+  if (!texelsAreSane(operators.texels)) return "texels";
+  if (!gridsAreSane(operators.texels)) return "grids";
+  if (operators.area.size() != slots || operators.kept.size() != slots ||
+      operators.fill_from.size() != slots || !sane(operators.area) || !sane(operators.kept) ||
+      !below(operators.fill_from, slots)) {
+    return "texel areas";
+  }
+  if (!nodesAreSane(operators.nodes, slots)) return "nodes";
+  if (!gatherListsAreSane(operators.lists, operators.texels.receivers)) return "gather lists";
+  if (!nodeListsAreSane(operators.node_lists, operators)) return "node lists";
+  if (!weightsAreSane(operators)) return "weights";
+  return {};
+}
+
+}  // namespace soffit::transfer
