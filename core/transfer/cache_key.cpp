@@ -3,10 +3,13 @@
 
 #include "core/transfer/content_hash.h"
 
+#include "bake_sources.h"
+
 #include <fmt/format.h>
 
 #include <array>
 #include <bit>
+#include <iterator>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -20,8 +23,9 @@ class Summary {
   template <class T>
   void add(const std::vector<T>& values) {
     const std::array<std::uint64_t, 2> hash = hash128(std::as_bytes(std::span(values)));
-    for (const std::uint64_t word : {std::uint64_t{values.size()}, hash[0], hash[1]})
+    for (const std::uint64_t word : {std::uint64_t{values.size()}, hash[0], hash[1]}) {
       words_.push_back(word);
+    }
   }
   template <class T>
   requires std::is_arithmetic_v<T>
@@ -48,6 +52,7 @@ std::string cacheKey(const StaticScene& scene, const BakeSettings& settings) {
   static_assert(sizeof(vec3) == 12 && sizeof(vec2) == 8 && sizeof(uvec3) == 12);
   Summary summary;
   summary.add(kBakeVersion);
+  summary.add(std::vector<char>(std::begin(kBakeSources), std::end(kBakeSources)));
   summary.add(scene.mesh->positions);
   summary.add(scene.mesh->triangles);
   summary.add(scene.mesh->material_of);

@@ -9,13 +9,13 @@
 
 namespace soffit::transfer {
 
-/// Raise this with every change of what bake() computes or of how it is stored: bakes of other
-/// versions are not found any more.
+/// The form in which bakes are stored: raise it when that changes. What bake() computes need not
+/// be counted here: the hash of its sources is part of the key.
 inline constexpr std::uint32_t kBakeVersion = 1;
 
 /// Names a bake by everything that decides it, as 32 hexadecimal digits (128 bits): triangles,
 /// their positions, materials (numbers, not names or reflectances), texture coordinates and lit
-/// sides, all settings and kBakeVersion.
+/// sides, all settings, kBakeVersion and the sources of the bake itself.
 ///
 /// Luminaires, layouts, reflectances and environment do not count. The one exception comes with
 /// StaticScene::sides: a light that enters or leaves a closed solid changes which sides are lit.
