@@ -14,6 +14,9 @@ const std::vector<AddCommand>& commands() {
       addBakeCommand,
       addMeasureCommand,
       addReferenceCommand,
+      addCompareCommand,
+      addVerifyCommand,
+      addBenchCommand,
       addMoveCommand,
       [](CLI::App& app, Session& session) { addRenderCommand(app, session, pictureLight(session)); },
   };

@@ -22,6 +22,9 @@ void addMeasureCommand(CLI::App& app, Session& session);
 void addMoveCommand(CLI::App& app, Session& session);
 void addBakeCommand(CLI::App& app, Session& session);
 void addReferenceCommand(CLI::App& app, Session& session);
+void addVerifyCommand(CLI::App& app, Session& session);
+void addCompareCommand(CLI::App& app, Session& session);
+void addBenchCommand(CLI::App& app, Session& session);
 
 using AddCommand = void (*)(CLI::App& app, Session& session);
 

@@ -20,13 +20,17 @@ float textHeight(const scene::Image& image) {
                   std::round(static_cast<float>(std::min(image.width, image.height)) / 60.0F));
 }
 
-void drawBar(scene::Image& image, const Area& bar) {
+float panelHeight(const scene::Image& image) {
+  return std::round(std::min(0.72F * static_cast<float>(image.height), 34.0F * textHeight(image)));
+}
+
+void drawBar(scene::Image& image, const Area& bar, const LegendScale& scale) {
   const int top = static_cast<int>(bar.top);
   const int bottom = static_cast<int>(bar.bottom);
   for (int y = top; y < bottom; ++y) {
     const float place =
         1.0F - (static_cast<float>(y - top) + 0.5F) / static_cast<float>(bottom - top);
-    const vec3 color = color::falseColorAt(place);
+    const vec3 color = scale.color(place);
     for (int x = static_cast<int>(bar.left); x < static_cast<int>(bar.right); ++x) {
       const auto at = static_cast<std::size_t>((y * image.width + x) * 3);
       for (std::size_t c = 0; c < 3; ++c) image.pixels[at + c] = color[static_cast<int>(c)];
@@ -36,17 +40,24 @@ void drawBar(scene::Image& image, const Area& bar) {
 
 }  // namespace
 
+int legendRoom(const scene::Image& image) {
+  const float h = textHeight(image);
+  return std::clamp(static_cast<int>((panelHeight(image) - 6.4F * h) / (2.6F * h)), 2, 12);
+}
+
 void drawLegend(scene::Image& image, const color::FalseColorRange& range) {
+  drawLegend(image, {color::falseColorAt, color::legendTicks(range, legendRoom(image))});
+}
+
+void drawLegend(scene::Image& image, const LegendScale& scale) {
   if (image.width < kSmallest || image.height < kSmallest) return;
   const float h = textHeight(image);
   const auto width = static_cast<float>(image.width);
   const auto height = static_cast<float>(image.height);
-  const float panel_height = std::round(std::min(0.72F * height, 34.0F * h));
+  const float panel_height = panelHeight(image);
   const float bar_height = panel_height - 6.4F * h;
-  const int most = std::clamp(static_cast<int>(bar_height / (2.6F * h)), 2, 12);
-  const auto ticks = color::legendTicks(range, most);
   float labels = textWidth("lx", h);
-  for (const auto& tick : ticks) labels = std::max(labels, textWidth(tick.label, h));
+  for (const auto& tick : scale.ticks) labels = std::max(labels, textWidth(tick.label, h));
 
   const float bar_width = std::round(1.6F * h);
   const float panel_width = std::round(1.2F * h + bar_width + 1.3F * h + labels + 1.3F * h);
@@ -59,8 +70,8 @@ void drawLegend(scene::Image& image, const color::FalseColorRange& range) {
                  std::round(panel.left + 1.2F * h) + bar_width,
                  std::round(panel.top + 4.6F * h + bar_height)};
   drawText(image, {bar.left, panel.top + 2.7F * h}, h, "lx", kInk);
-  drawBar(image, bar);
-  for (const auto& tick : ticks) {
+  drawBar(image, bar, scale);
+  for (const auto& tick : scale.ticks) {
     const float y = bar.bottom - tick.place * (bar.bottom - bar.top);
     drawLine(image, {bar.right + 0.25F * h, y}, {bar.right + 0.7F * h, y}, strokeWidth(h), kInk);
     drawText(image, {bar.right + 1.3F * h, y + 0.5F * h}, h, tick.label, kInk);

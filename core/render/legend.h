@@ -4,7 +4,9 @@
 #include "core/color/false_color.h"
 #include "core/scene/material.h"
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace soffit::render {
 
@@ -12,6 +14,16 @@ namespace soffit::render {
 /// with round values in lux. Scales with the picture; pictures too small to hold a readable
 /// legend (under 120 pixels a side) stay as they are.
 void drawLegend(scene::Image& image, const color::FalseColorRange& range);
+
+/// Any other scale: its colors at 0..1 along the bar and the values beside it, in lux.
+struct LegendScale {
+  std::function<vec3(float place)> color;
+  std::vector<color::LegendTick> ticks;
+};
+void drawLegend(scene::Image& image, const LegendScale& scale);
+
+/// The most values that a legend of this picture has room for, at least 2.
+int legendRoom(const scene::Image& image);
 
 /// Prints a line of text (UTF-8) into the lower left corner; it is cut off where it does not fit.
 void drawTitle(scene::Image& image, const std::string& title);

@@ -132,6 +132,7 @@ std::string toBytes(const Result<ModelPayload>& payload) {
   }
   visitRaw(writer, payload->raw);
   visitModel(writer, payload->model);
+  writer.list(payload->model.side_files, [&](const auto& path) { writer.text(path.string()); });
   // std::vector<bool> has no bytes of its own.
   writer.array(std::vector<char>(payload->model.described.begin(), payload->model.described.end()));
   return std::move(writer.bytes);
@@ -152,6 +153,11 @@ std::optional<Result<ModelPayload>> payloadFromBytes(std::string_view bytes) {
   ModelPayload payload;
   visitRaw(reader, payload.raw);
   visitModel(reader, payload.model);
+  reader.list(payload.model.side_files, [&](auto& path) {
+    std::string text;
+    reader.text(text);
+    path = text;
+  });
   std::vector<char> described;
   reader.array(described);
   payload.model.described.assign(described.begin(), described.end());

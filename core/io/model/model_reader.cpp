@@ -131,6 +131,7 @@ Result<ModelPayload> readModel(const fs::path& file, ModelFormat format,
   out.model.lines = converted->lines;
   out.model.lights = scene.mNumLights;
   out.model.cameras = scene.mNumCameras;
+  out.model.side_files = read->sideFiles();
   takeMaterials({scene, format, file, folder, mtlColors(read->sideFiles())}, out.raw, out.model);
   return out;
 }

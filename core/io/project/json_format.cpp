@@ -50,6 +50,8 @@ void writeNumber(const JsonNumber& number, std::string& out) {
     out += number.spelling;
   } else if (!std::isfinite(number.value)) {
     out += "null";
+  } else if (number.value == 0.0 && std::signbit(number.value)) {
+    out += "-0.0";  // "-0" is read as the integer 0
   } else {
     char digits[40];
     const auto end = std::to_chars(std::begin(digits), std::end(digits), number.value);

@@ -82,10 +82,9 @@ Step stepIntoObject(Json& object, std::string_view path) {
     best = Step{&member.value, *rest};
   }
   if (best) return *best;
-  const auto end = path.find_first_of(".[");
-  const bool has_rest = end != std::string_view::npos;
-  std::string_view rest = has_rest ? path.substr(end) : std::string_view();
-  if (rest.starts_with('.')) rest.remove_prefix(1);
+  const auto end = path.find('.');
+  const std::string_view rest =
+      end == std::string_view::npos ? std::string_view() : path.substr(end + 1);
   return {&object[path.substr(0, end)], rest};
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -24,7 +25,10 @@ void Report::warn(std::string_view path, std::string_view what) {
 }
 
 void Report::unknownKey(std::string_view path) {
-  if (isSet(path)) {
+  const bool from_set = std::ranges::any_of(set_paths_, [&](const std::string& set) {
+    return set.starts_with(path) && (set.size() == path.size() || set[path.size()] == '.');
+  });
+  if (from_set) {
     fail(path, "--set names a field that does not exist", "Check the spelling of the path.");
   } else {
     warn(path, "this key is not known; it is kept and has no effect");

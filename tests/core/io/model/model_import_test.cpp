@@ -166,6 +166,8 @@ TEST(ModelImportErrors, SideFilesStayInTheFolder) {
   const auto model = importModel(file, {.folder = folder.path()});
   ASSERT_TRUE(model) << model.error().message();
   EXPECT_TRUE(model->described.at(0));
+  ASSERT_EQ(model->side_files.size(), 1U);
+  EXPECT_EQ(model->side_files[0].filename(), "secret.mtl");
 }
 
 TEST(ModelImportErrors, AStopRequestEndsIt) {

@@ -27,6 +27,7 @@ ModelPayload sample() {
   out.model.materials = {material};
   out.model.described = {true};
   out.model.embedded_textures = {{"a.png", {1, 2, 255}}};
+  out.model.side_files = {"a.mtl", "maps/b.bin"};
   out.model.points = 1;
   out.model.lines = 2;
   out.model.lights = 3;
@@ -61,6 +62,7 @@ TEST(ModelPayload, ComesBackAsItWas) {
   EXPECT_EQ(out.model.described, in.model.described);
   ASSERT_EQ(out.model.embedded_textures.size(), 1U);
   EXPECT_EQ(out.model.embedded_textures[0].bytes, in.model.embedded_textures[0].bytes);
+  EXPECT_EQ(out.model.side_files, in.model.side_files);
   EXPECT_EQ(out.model.points, 1U);
   EXPECT_EQ(out.model.lines, 2U);
   EXPECT_EQ(out.model.lights, 3U);

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/bench_report.h"
+#include "app/cli/bench_sweep.h"
+#include "app/cli/commands.h"
+#include "app/cli/layout_pictures.h"
+#include "app/cli/output.h"
+#include "app/cli/program_files.h"
+#include "app/cli/progress_bar.h"
+#include "core/io/image/write_image.h"
+#include "core/io/project/json.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+
+namespace soffit::cli {
+namespace fs = std::filesystem;
+namespace {
+
+struct BenchArguments {
+  CommonOptions common;
+  std::vector<std::string> projects;
+  BenchSweepOptions sweep;
+};
+
+/// The samples when no project is named.
+Result<std::vector<std::string>> projectsOf(const BenchArguments& arguments) {
+  if (!arguments.projects.empty()) return arguments.projects;
+  std::vector<std::string> samples = sampleProjects();
+  if (!samples.empty()) return samples;
+  return Error{"bench", "the sample projects are not beside the program", "Name a project."};
+}
+
+Result<void> addProjects(const BenchArguments& arguments, BenchSweep& sweep, Session& session,
+                         ProgressBar& progress) {
+  const auto projects = projectsOf(arguments);
+  if (!projects) return projects.error();
+  std::set<std::string> names;
+  for (const std::string& path : *projects) {
+    CommonOptions common = arguments.common;
+    common.project = path;
+    auto project = loadForCommand(common, session, &progress);
+    if (!project) return project.error();
+    std::string name = fileNameOf(project->path.stem().string());
+    while (!names.insert(name).second) name += "_";
+    sweep.add(name, std::move(*project));
+  }
+  return {};
+}
+
+Result<std::vector<std::string>> writePlots(const fs::path& folder,
+                                            const std::vector<design::BenchRow>& rows) {
+  const std::vector<ChartPanel> panels = benchPanels(rows);
+  const fs::path svg = folder / "bench.svg";
+  const fs::path png = folder / "bench.png";
+  if (const auto written = writeResult(svg.string(), chartSvg(panels)); !written) {
+    return written.error();
+  }
+  if (const auto written = io::writeImage(png, chartImage(panels)); !written) {
+    return written.error();
+  }
+  return std::vector<std::string>{svg.string(), png.string()};
+}
+
+Result<void> runBench(BenchArguments arguments, Session& session) {
+  const auto start = std::chrono::steady_clock::now();
+  fs::path& folder = arguments.sweep.folder;
+  folder = arguments.common.output.empty() ? "bench" : arguments.common.output;
+  std::error_code trouble;
+  fs::create_directories(folder, trouble);
+  arguments.sweep.effort.seed = arguments.common.seed;
+  arguments.sweep.version = programVersion();
+  ProgressBar progress;
+  BenchSweep sweep(arguments.sweep, {&progress, {}});
+  if (const auto ok = checkResultFile(sweep.tableFile().string()); !ok) return ok;
+  if (const auto resumed = sweep.resume(); !resumed) return resumed;
+  if (const auto added = addProjects(arguments, sweep, session, progress); !added) return added;
+  if (const auto done = sweep.run(); !done) return done;
+  progress.clear();
+  const std::vector<design::BenchRow> rows = sweep.rows();
+  const auto plots = writePlots(folder, rows);
+  if (!plots) return plots.error();
+  std::vector<std::string> files{sweep.tableFile().string()};
+  files.insert(files.end(), plots->begin(), plots->end());
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::vector<std::string> left_out = sweep.leftOut();
+  return writeResult("", arguments.common.json
+                             ? io::formatJsonLine(benchJson(rows, left_out, files, seconds)) + "\n"
+                             : benchText(rows, left_out, files, seconds));
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& app, Session& session) {
+  CLI::App* command =
+      app.add_subcommand("bench", "Run time against error, over methods and settings");
+  auto arguments = std::make_shared<BenchArguments>();
+  arguments->sweep.effort.error = 0.01;
+  command->add_option("P", arguments->projects, "Projects; without any: the samples");
+  command
+      ->add_option("-o,--output", arguments->common.output,
+                   "Folder for bench.csv, the references and the plots; without it: bench")
+      ->type_name("FOLDER");
+  addLayoutOption(*command, arguments->common);
+  addSetOption(*command, arguments->common);
+  command->add_option("--threads", arguments->common.threads, "Number of threads")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--seed", arguments->common.seed, "Seed of all random numbers")
+      ->capture_default_str();
+  addJsonOption(*command, arguments->common);
+  command
+      ->add_option("--budget", arguments->sweep.budget_s,
+                   "Seconds; the most informative points first, a later call goes on")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--receivers", arguments->sweep.receivers, "Points at which errors are measured")
+      ->check(CLI::Range(2, 1000000))
+      ->capture_default_str();
+  command
+      ->add_option("--error", arguments->sweep.effort.error,
+                   "Relative standard error of the reference at every point")
+      ->check(CLI::Range(1e-6, 1.0))
+      ->capture_default_str();
+  command->callback([&session, arguments] {
+    session.run = [arguments, &session] { return runBench(*arguments, session); };
+  });
+}
+
+}  // namespace soffit::cli

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/picture_setup.h"
+
+#include "core/io/project/starting_place.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+namespace soffit::cli {
+
+Result<std::pair<int, int>> parseSize(const std::string& text) {
+  int width = 0;
+  int height = 0;
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, width);
+  if (first.ec == std::errc() && first.ptr != end && (*first.ptr == 'x' || *first.ptr == 'X')) {
+    const auto second = std::from_chars(first.ptr + 1, end, height);
+    if (second.ec == std::errc() && second.ptr == end) return std::pair(width, height);
+  }
+  return Error{"--size", fmt::format("expected WIDTHxHEIGHT in pixels, found \"{}\"", text),
+               "Give for instance 1280x800."};
+}
+
+Result<scene::Camera> chooseCamera(const scene::Scene& scene, const std::string& name) {
+  for (const scene::Camera& camera : scene.cameras) {
+    if (name.empty() || camera.name == name) return camera;
+  }
+  if (!name.empty()) {
+    std::string known;
+    for (const scene::Camera& camera : scene.cameras)
+      known += (known.empty() ? "" : ", ") + camera.name;
+    return Error{
+        "--camera", fmt::format("the project has no camera \"{}\"", name),
+        known.empty() ? "It has none; leave --camera out." : fmt::format("It has: {}.", known)};
+  }
+  if (scene.mesh->triangleCount() > 0) return io::startingPlace(*scene.mesh).camera;
+  return scene::Camera{};
+}
+
+Result<std::optional<double>> parseExposure(const std::string& text, double from_project) {
+  if (text.empty()) return std::optional(from_project);
+  if (text == "auto") return std::optional<double>();
+  double ev = 0.0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), ev);
+  if (parsed.ec == std::errc() && parsed.ptr == text.data() + text.size() && std::isfinite(ev)) {
+    return std::optional(ev);
+  }
+  return Error{"--exposure", fmt::format("expected stops (EV) or \"auto\", found \"{}\"", text),
+               "Give for instance -0.5."};
+}
+
+Result<std::unique_ptr<render::ViewScene>> makeViewScene(
+    const scene::Scene& scene, std::shared_ptr<const geometry::RayCaster> caster) {
+  const geometry::Mesh& mesh = *scene.mesh;
+  if (caster == nullptr) {
+    caster = std::make_shared<const geometry::RayCaster>(mesh.positions, mesh.triangles);
+  }
+  std::vector<light::Emitter> emitters;
+  for (const light::Luminaire& luminaire : scene.luminaires) {
+    auto emitter = light::makeEmitter(luminaire, mesh.origin);
+    if (!emitter) return emitter.error();
+    emitters.push_back(std::move(*emitter));
+  }
+  return std::make_unique<render::ViewScene>(std::make_shared<const scene::Scene>(scene),
+                                             std::move(caster), std::move(emitters));
+}
+
+}  // namespace soffit::cli

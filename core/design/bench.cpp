@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "core/design/bench.h"
+
+#include "core/design/shadow_rays.h"
+#include "core/design/surface_reading.h"
+#include "core/photometry/metrics.h"
+#include "core/relight/lighting.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace soffit::design {
+namespace {
+
+constexpr std::size_t kWarmUps = 3;
+constexpr std::size_t kMoves = 15;
+constexpr double kReach = 0.25;             // m around the light's place
+constexpr std::uint64_t kRaysAvoided = 64;  // per point, what the bitmask is weighed against
+
+double lux(const dvec3& rgb) {
+  return glm::dot(rgb, light::kLuminance);
+}
+
+/// Places for timing: on a level circle around the light's own.
+dvec3 placeOf(const dvec3& home, std::size_t i, std::size_t count) {
+  const double angle = 2.0 * 3.14159265358979 * static_cast<double>(i) / static_cast<double>(count);
+  return home + kReach * dvec3(std::cos(angle), std::sin(angle), 0.0);
+}
+
+/// Medians over the moves.
+void addTimes(const std::vector<relight::StageTimes>& moves, BenchRow& row) {
+  const auto quantile = [&](auto value, double q) {
+    std::vector<double> all;
+    for (const relight::StageTimes& t : moves) all.push_back(value(t));
+    return photometry::percentile(all, q);
+  };
+  row.update_ms = quantile([](const auto& t) { return t.total(); }, 0.5);
+  row.update_p99_ms = quantile([](const auto& t) { return t.total(); }, 0.99);
+  row.stages.direct = quantile([](const auto& t) { return t.direct; }, 0.5);
+  row.stages.first_bounce = quantile([](const auto& t) { return t.first_bounce; }, 0.5);
+  row.stages.nodes = quantile([](const auto& t) { return t.nodes; }, 0.5);
+  row.stages.gather = quantile([](const auto& t) { return t.gather; }, 0.5);
+  row.stages.interpolate = quantile([](const auto& t) { return t.interpolate; }, 0.5);
+}
+
+/// Measures one point for one light among the others.
+class Measurement {
+ public:
+  Measurement(std::shared_ptr<const relight::Solver> solver, const scene::Scene& scene,
+              const BenchCase& bench, std::size_t light)
+      : solver_(std::move(solver)), scene_(scene), bench_(bench), light_(light) {}
+
+  Result<void> withEngine(const Job& job, BenchRow& row) {
+    relight::Lighting all(solver_);
+    const auto set = all.setLuminaires(scene_.luminaires, job);
+    if (!set) return set;
+    std::vector<light::Luminaire> luminaires = scene_.luminaires;
+    for (std::size_t i = 0; i < luminaires.size(); ++i) luminaires[i].on = i == light_;
+    relight::Lighting alone(solver_);
+    const auto set_alone = alone.setLuminaires(luminaires, job);
+    if (!set_alone) return set_alone;
+    row.total = figures(readSurfaces(all, bench_.receivers), bench_.total);
+    row.alone = figures(readSurfaces(alone, bench_.receivers), bench_.alone);
+    return timeMoves(all, job, row);
+  }
+
+  Result<void> withShadowRays(int rays, const Job& job, BenchRow& row) {
+    std::vector<relight::SensorLight> total(bench_.receivers.size());
+    for (std::size_t i = 0; i < scene_.luminaires.size(); ++i) {
+      if (job.cancelled()) return Error{"bench", "cancelled", ""};
+      const auto emitter = light::makeEmitter(scene_.luminaires[i], scene_.mesh->origin);
+      if (!emitter) return emitter.error();
+      if (emitter->gain <= 0.0) continue;
+      const auto one = readWithRays(*emitter, rays);
+      for (std::size_t k = 0; k < total.size(); ++k) {
+        total[k].direct += one[k].direct;
+        total[k].indirect += one[k].indirect;
+      }
+      if (i == light_) row.alone = figures(one, bench_.alone);
+    }
+    row.total = figures(total, bench_.total);
+    // Slow methods are timed at fewer places.
+    const std::size_t count = rays > 16 ? kMoves / 3 : kMoves;
+    std::vector<relight::StageTimes> times;
+    relight::Planes rest;
+    for (auto& plane : rest) plane.assign(solver_->operators().texels.slotCount(), 0.0F);
+    relight::Planes sum = rest;
+    for (std::size_t i = 0; i < count + 1; ++i) {
+      if (job.cancelled()) return Error{"bench", "cancelled", ""};
+      const auto emitter = emitterAt(placeOf(home(), i, count));
+      if (!emitter) return emitter.error();
+      relight::StageTimes t;
+      relight::Column column;
+      row.rays = rayColumn(*emitter, rays, column, &t);
+      solver_->addTo(column, emitter->gain * emitter->color, rest, sum, &t);
+      if (i > 0) times.push_back(t);
+    }
+    addTimes(times, row);
+    return {};
+  }
+
+ private:
+  [[nodiscard]] const dvec3& home() const { return scene_.luminaires[light_].position; }
+
+  [[nodiscard]] Result<light::Emitter> emitterAt(const dvec3& place) const {
+    light::Luminaire moved = scene_.luminaires[light_];
+    moved.position = place;
+    return light::makeEmitter(moved, scene_.mesh->origin);
+  }
+
+  static ErrorFigures figures(const std::vector<relight::SensorLight>& light,
+                              const ErrorSamples& reference) {
+    ErrorSamples samples;
+    for (std::size_t i = 0; i < light.size(); ++i) {
+      samples.add(lux(light[i].direct + light[i].indirect), reference.reference[i],
+                  reference.standard_error[i]);
+    }
+    return errorFigures(samples);
+  }
+
+  Result<void> timeMoves(relight::Lighting& lighting, const Job& job, BenchRow& row) {
+    lighting.grab(light_);
+    std::vector<relight::StageTimes> times;
+    light::DirectCounts counts;
+    for (std::size_t i = 0; i < kWarmUps + kMoves; ++i) {
+      if (job.cancelled()) return Error{"bench", "cancelled", ""};
+      const auto emitter = emitterAt(placeOf(home(), i, kMoves));
+      if (!emitter) return emitter.error();
+      const bool counted = i >= kWarmUps;
+      const relight::StageTimes t = lighting.move(*emitter, counted ? &counts : nullptr);
+      if (counted) times.push_back(t);
+    }
+    row.rays_avoided = counts.points * kRaysAvoided / kMoves;
+    addTimes(times, row);
+    return {};
+  }
+
+  /// Direct light at all texels by rays and the bounces of it; returns the rays.
+  std::uint64_t rayColumn(const light::Emitter& emitter, int rays, relight::Column& column,
+                          relight::StageTimes* times) const {
+    const light::Receivers& points = solver_->operators().texels.receivers;
+    column.direct.resize(points.slotCount());
+    column.lit.resize(points.clusters.size());
+    const auto start = std::chrono::steady_clock::now();
+    const std::uint64_t traced = shadowRayIlluminance(emitter, points, solver_->scene().caster,
+                                                      rays, column.direct, column.lit);
+    if (times != nullptr) {
+      const auto passed = std::chrono::steady_clock::now() - start;
+      times->direct = std::chrono::duration<double, std::milli>(passed).count();
+    }
+    solver_->indirect(column, {}, nullptr, times);
+    return traced;
+  }
+
+  [[nodiscard]] std::vector<relight::SensorLight> readWithRays(const light::Emitter& emitter,
+                                                               int rays) const {
+    relight::Column column;
+    rayColumn(emitter, rays, column, nullptr);
+    column.direct.clear();
+    relight::Planes indirect;
+    for (auto& plane : indirect) plane.assign(solver_->operators().texels.slotCount(), 0.0F);
+    const dvec3 weight = emitter.gain * emitter.color;
+    solver_->add(column, weight, indirect);
+    solver_->fill(indirect);
+    for (auto& plane : indirect) {
+      for (float& e : plane) e = std::max(e, 0.0F);
+    }
+    const auto bounced = interpolateAt(solver_->operators().texels, indirect, bench_.receivers);
+    const light::Receivers points = toReceivers(bench_.receivers);
+    std::vector<float> direct(points.slotCount());
+    std::vector<std::uint8_t> lit(points.clusters.size());
+    shadowRayIlluminance(emitter, points, solver_->scene().caster, rays, direct, lit);
+    std::vector<relight::SensorLight> out(bench_.receivers.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i] = {weight * static_cast<double>(direct[points.slot_of[i]]), bounced[i]};
+    }
+    return out;
+  }
+
+  std::shared_ptr<const relight::Solver> solver_;
+  const scene::Scene& scene_;
+  const BenchCase& bench_;
+  std::size_t light_;
+};
+
+}  // namespace
+
+Result<BenchEngine> makeBenchEngine(const scene::Scene& scene, const scene::Quality& quality,
+                                    std::uint64_t seed, const Job& job) {
+  auto settings = relight::qualitySettings(quality);
+  if (!settings) return settings.error();
+  settings->bake.seed = seed;
+  BenchEngine engine;
+  std::shared_ptr<const transfer::Operators> coarse;
+  auto solver = relight::makeSolver(scene, *settings, false, job, engine.report,
+                                    [&](const auto& operators) { coarse = operators; });
+  if (!solver) return solver.error();
+  engine.solver = *solver;
+  if (coarse != nullptr) {
+    engine.coarse = std::make_shared<const relight::Solver>(
+        std::shared_ptr<const transfer::StaticScene>(engine.solver, &engine.solver->scene()),
+        coarse, scene.materials);
+  }
+  return engine;
+}
+
+Result<BenchRow> measureBench(const BenchPoint& point, const BenchEngine& engine,
+                              const scene::Scene& scene, const BenchCase& bench, const Job& job) {
+  BenchRow row;
+  row.scene = bench.scene;
+  row.method = point.methodName();
+  row.settings = point.settingsName();
+  row.light = bench.light;
+  row.receivers = engine.solver->operators().texels.texelCount();
+  row.bake_s = engine.report.bake.seconds;
+  row.first_result_s = engine.report.bake.first_result_seconds;
+  row.bake_rays = engine.report.bake.rays;
+  row.operator_bytes = engine.report.bytes;
+  const bool nodes = point.method == BenchMethod::nodes && engine.coarse != nullptr;
+  if (nodes) {
+    row.bake_s = row.first_result_s;
+    row.operator_bytes = engine.coarse->operators().bytes();
+  }
+  std::size_t light = 0;
+  while (light < scene.luminaires.size() && scene.luminaires[light].name != bench.light) ++light;
+  if (light == scene.luminaires.size()) {
+    return Error{"bench", "the stored reference belongs to another project",
+                 "Choose another folder with -o."};
+  }
+  Measurement measurement(nodes ? engine.coarse : engine.solver, scene, bench, light);
+  const auto done = point.method == BenchMethod::shadow_rays
+                        ? measurement.withShadowRays(point.rays, job, row)
+                        : measurement.withEngine(job, row);
+  if (!done) return done.error();
+  return row;
+}
+
+}  // namespace soffit::design

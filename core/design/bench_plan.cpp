@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "core/design/bench_plan.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace soffit::design {
+namespace {
+
+BenchStep only(scene::Quality quality) {
+  return {quality, {{BenchMethod::bitmask, 0, quality}}};
+}
+
+BenchStep preset(const char* name) {
+  scene::Quality quality;
+  quality.preset = name;
+  return only(quality);
+}
+
+BenchStep changed(const char* setting, double value) {
+  scene::Quality quality;
+  quality.settings[setting] = value;
+  return only(quality);
+}
+
+}  // namespace
+
+std::string BenchPoint::methodName() const {
+  switch (method) {
+    case BenchMethod::bitmask:
+      return "bitmask";
+    case BenchMethod::nodes:
+      return "nodes";
+    case BenchMethod::shadow_rays:
+      return fmt::format("shadow-rays-{}", rays);
+  }
+  return "bitmask";
+}
+
+std::string BenchPoint::settingsName() const {
+  std::string name = quality.preset;
+  for (const auto& [key, value] : quality.settings) name += fmt::format("+{}={:g}", key, value);
+  return name;
+}
+
+std::vector<BenchStep> benchPlan() {
+  std::vector<BenchStep> plan;
+  plan.push_back(preset("interactive"));
+  plan[0].points.push_back({BenchMethod::nodes, 0, plan[0].quality});
+  for (const int rays : {64, 16, 4, 256}) {
+    plan[0].points.push_back({BenchMethod::shadow_rays, rays, plan[0].quality});
+  }
+  plan.push_back(preset("draft"));
+  plan.push_back(changed("texels", 25000));
+  plan.push_back(changed("list_rays", 24));
+  plan.push_back(changed("max_rank", 12));
+  plan.push_back(preset("final"));
+  // A coarse change of every setting, then finer ones.
+  const std::vector<std::pair<const char*, double>> rest{
+      {"trainings", 24},  {"tolerance", 0.05}, {"patch", 64},        {"texels", 100000},
+      {"list_rays", 96},  {"max_rank", 64},    {"tolerance", 0.002}, {"trainings", 256},
+      {"field_rays", 8},  {"node_rays", 4},    {"texels", 12500},    {"patch", 32},
+      {"field_rays", 32}, {"node_rays", 16},   {"list_rays", 32},    {"list_rays", 16},
+      {"max_rank", 20},   {"patch", 256},      {"texels", 200000}};
+  for (const auto& [setting, value] : rest) plan.push_back(changed(setting, value));
+  return plan;
+}
+
+}  // namespace soffit::design
