@@ -233,6 +233,9 @@ Result<std::string> applySet(Json& root, std::string_view set, Report& report) {
                    "Write --set \"luminaires.Panel 1.flux=3000\".");
   }
   const std::string_view key = withoutBlanks(set.substr(0, equals));
+  if (key.ends_with('.')) {
+    return deadEnd(report, key, "the path ends in a dot", "Name the field after it.");
+  }
   auto value = parseSetValue(set.substr(equals + 1));
   if (!value) return value.error();
   report.markSet(std::string(key));

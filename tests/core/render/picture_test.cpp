@@ -138,7 +138,7 @@ TEST(Pen, CutsOffWhatLiesOutside) {
   fillRounded(image, {-5, -5, 3, 3}, 0.0F, vec3(0.0F), 1.0F);
   EXPECT_EQ(pixel(image, 2, 2), vec3(0.0F));
   drawText(image, {8, 200}, 9.0F, "outside", vec3(1.0F));
-  drawLegend(image, {});  // too small: nothing happens
+  drawLegend(image, color::FalseColorRange{});  // too small: nothing happens
   EXPECT_EQ(pixel(image, 5, 8), vec3(0.5F));
 }
 

@@ -160,6 +160,8 @@ TEST(Set, ErrorsSayWhatThereIs) {
 }
 
 TEST(Set, ErrorsOfForm) {
+  EXPECT_EQ(errorOf("view.=1"),
+            "p.soffit: --set view.: the path ends in a dot. Name the field after it.");
   EXPECT_EQ(errorOf("luminaires.Panel 1.flux"),
             "p.soffit: --set luminaires.Panel 1.flux: expected KEY=VALUE. Write --set "
             "\"luminaires.Panel 1.flux=3000\".");
