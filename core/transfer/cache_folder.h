@@ -6,7 +6,7 @@
 
 namespace soffit::transfer {
 
-/// What all bakes in the cache may take together; a bake of 50,000 texels takes some 50 MB.
+/// What all bakes in the cache may take together; a bake of 50,000 texels takes some 35 MB.
 inline constexpr std::uintmax_t kMostCacheBytes = std::uintmax_t{4} << 30U;
 
 /// Where bakes are kept between calls: $SOFFIT_CACHE, else `soffit` in the user's cache folder

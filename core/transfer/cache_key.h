@@ -17,9 +17,9 @@ inline constexpr std::uint32_t kBakeVersion = 1;
 /// their positions, materials (numbers, not names or reflectances), texture coordinates and lit
 /// sides, all settings, kBakeVersion and the sources of the bake itself.
 ///
-/// Luminaires, layouts, reflectances and environment do not count. The one exception comes with
-/// StaticScene::sides: a light that enters or leaves a closed solid changes which sides are lit.
-/// Neither does Mesh::origin: bakes are scene-local. About 10 GB/s.
+/// Luminaires, layouts, reflectances, environment and Mesh::origin do not count. The one exception
+/// comes with StaticScene::sides: a light that enters or leaves a closed solid changes which sides
+/// are lit. About 10 GB/s.
 std::string cacheKey(const StaticScene& scene, const BakeSettings& settings);
 
 }  // namespace soffit::transfer
