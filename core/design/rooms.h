@@ -13,7 +13,7 @@
 /// its own light.
 namespace soffit::design {
 
-/// Work planes that see one another, and points of the free space above them.
+/// Work planes under one ceiling, and points of the free space before and above them.
 struct Room {
   std::string name;                 ///< of its work planes, joined by " + "
   std::vector<std::size_t> planes;  ///< indices
@@ -22,9 +22,9 @@ struct Room {
 
 inline constexpr std::size_t kNoRoom = static_cast<std::size_t>(-1);
 
-/// Groups work planes: two belong to one room when at least a fifth of the lines between points
-/// up to 1.2 m before them are free. A doorway lets a few percent through, furniture and low
-/// partitions leave more than a third.
+/// Groups work planes: two belong to one room when at least a tenth of the lines between points
+/// close below the ceiling above them are free. Up there walls go on over doors, while furniture
+/// and partitions have ended; an opening that reaches the ceiling joins what it lies between.
 ///
 /// caster  of the scene-local geometry; origin: Mesh::origin. Deterministic.
 std::vector<Room> findRooms(const geometry::RayCaster& caster, const dvec3& origin,

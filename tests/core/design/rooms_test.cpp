@@ -18,7 +18,9 @@ TEST(FindRooms, ADoorwayParts) {
   ASSERT_EQ(rooms.size(), 2U);
   EXPECT_EQ(rooms[0].name, "Left");
   EXPECT_EQ(rooms[1].name, "Right");
-  for (const vec3& p : rooms[1].points) EXPECT_GT(p.x, 3.0F);
+  for (const vec3& p : rooms[1].points) {
+    EXPECT_TRUE(p.x > 3.0F && p.x < 6.0F && p.y > 0.0F && p.y < 4.0F && p.z > 0.0F && p.z < 3.0F);
+  }
 }
 
 TEST(FindRooms, PlanesOfOneRoomBelongTogether) {
@@ -30,6 +32,14 @@ TEST(FindRooms, PlanesOfOneRoomBelongTogether) {
   ASSERT_EQ(rooms.size(), 1U);
   EXPECT_EQ(rooms[0].name, "Table + Bench");
   EXPECT_EQ(rooms[0].planes, (std::vector<std::size_t>{0, 1}));
+}
+
+TEST(FindRooms, AnOpeningUpToTheCeilingJoins) {
+  scene::Scene scene = twoRooms();
+  auto mesh = std::make_shared<geometry::Mesh>(*scene.mesh);
+  mesh->triangles.resize(mesh->triangles.size() - 2);  // the wall over the door
+  scene.mesh = mesh;
+  EXPECT_EQ(findRooms(casterOf(scene), scene.mesh->origin, scene.work_planes).size(), 1U);
 }
 
 TEST(FindRooms, WorksInWorldCoordinatesFarAway) {
