@@ -48,11 +48,12 @@ struct Estimate {
 /// With a fixed number of replicates (relative_error large, min_replicates as wanted) the estimate
 /// is unbiased. Stopping by the measured error favours sensors that happen to have missed rare
 /// bright paths: on the shared rooms the mean was low by 0.02 to 0.09 % at relative_error 0.015
-/// (0.00 to 0.01 % +- 0.01 % with 64 fixed replicates of 256 paths); it falls as the error squared.
-/// Numbers
-/// do not depend on the thread count unless the time limit or a cancellation ends the work; then
-/// at least two replicates of every sensor are there unless it was cancelled, and `reached` is
-/// false. A sensor without any replicate (cancelled) is all 0.
+/// (0.00 to 0.01 % +- 0.01 % with 64 fixed replicates of 256 paths); by theory
+/// it falls as the error squared.
+///
+/// Numbers do not depend on the thread count unless the time limit or a cancellation ends the
+/// work; then at least two replicates of every sensor are there unless it was cancelled, and
+/// `reached` is false. A sensor without any replicate (cancelled) is all 0.
 Estimate estimate(const ReferenceScene& scene, std::span<const scene::Sensor> sensors,
                   const EstimateOptions& options, const Job& job = {});
 
