@@ -25,8 +25,11 @@ void intersect1(RTCScene scene, RTCRayHit& query) {
 void occluded1(RTCScene scene, RTCRay& query) {
   rtcOccluded1(scene, &query);
 }
-void intersect16(const int* valid, RTCScene scene, RTCRayHit16& query) {
-  rtcIntersect16(valid, scene, &query);
+void intersect16(const int* valid, RTCScene scene, RTCRayHit16& query, bool coherent) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  if (coherent) arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  rtcIntersect16(valid, scene, &query, &arguments);
 }
 void occluded16(const int* valid, RTCScene scene, RTCRay16& query) {
   rtcOccluded16(valid, scene, &query);
@@ -45,8 +48,9 @@ void occluded1(RTCScene scene, RTCRay& query) {
   RTCIntersectContext context = incoherent();
   rtcOccluded1(scene, &context, &query);
 }
-void intersect16(const int* valid, RTCScene scene, RTCRayHit16& query) {
+void intersect16(const int* valid, RTCScene scene, RTCRayHit16& query, bool coherent) {
   RTCIntersectContext context = incoherent();
+  if (coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   rtcIntersect16(valid, scene, &context, &query);
 }
 void occluded16(const int* valid, RTCScene scene, RTCRay16& query) {
@@ -178,7 +182,7 @@ bool RayCaster::occluded(const Ray& ray) const {
   return query.tfar < 0.0F;  // Embree's mark for "something is in the way"
 }
 
-void RayCaster::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
+void RayCaster::closest(std::span<const Ray> rays, std::span<Hit> hits, bool coherent) const {
   assert(rays.size() == hits.size());
   std::fill(hits.begin(), hits.end(), Hit{});
   if (impl_->scene == nullptr) return;
@@ -190,7 +194,7 @@ void RayCaster::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
     std::fill(std::begin(query.hit.geomID), std::end(query.hit.geomID), RTC_INVALID_GEOMETRY_ID);
     std::fill(std::begin(query.hit.instID[0]), std::end(query.hit.instID[0]),
               RTC_INVALID_GEOMETRY_ID);
-    intersect16(valid.data(), impl_->scene, query);
+    intersect16(valid.data(), impl_->scene, query, coherent);
     for (std::size_t i = 0; i < count; ++i) {
       if (query.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
       hits[first + i] = {query.hit.primID[i], query.ray.tfar[i], query.hit.u[i], query.hit.v[i]};

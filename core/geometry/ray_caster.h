@@ -47,7 +47,9 @@ class RayCaster {
 
   /// Many rays at once, in packets of 16; coherent rays next to one another are fastest.
   /// hits.size() == rays.size().
-  void closest(std::span<const Ray> rays, std::span<Hit> hits) const;
+  /// coherent: neighbours start together and run side by side (a picture's primary rays); that
+  /// halves the time of a picture. The hits are the same.
+  void closest(std::span<const Ray> rays, std::span<Hit> hits, bool coherent = false) const;
   /// blocked[i] is 1 where ray i meets anything, else 0.
   void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const;
 

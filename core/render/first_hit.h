@@ -15,10 +15,16 @@ struct FirstHit {
   EmitterHit emitter;     ///< valid where a luminaire is first
 };
 
+/// What traceFirst() may rely on.
+struct TraceHints {
+  bool coherent = false;   ///< neighbouring rays run side by side
+  bool luminaires = true;  ///< false: none can be met
+};
+
 /// Traces rays (unit directions) against surfaces in packets and against luminaires. A luminaire
 /// that lies in a surface, within 0.5 mm or 1e-4 of the distance, is in front of it.
-/// `scratch` and `out` are as long as `rays`; luminaires can be left out where none can be met.
-void traceFirst(const ViewScene& scene, std::span<const geometry::Ray> rays, bool luminaires,
-                std::span<geometry::Hit> scratch, std::span<FirstHit> out);
+/// `scratch` and `out` are as long as `rays`.
+void traceFirst(const ViewScene& scene, std::span<const geometry::Ray> rays,
+                const TraceHints& hints, std::span<geometry::Hit> scratch, std::span<FirstHit> out);
 
 }  // namespace soffit::render

@@ -186,7 +186,7 @@ void Reflector::traceShadows(ReflectorScratch& s) const {
 void Reflector::traceWave(ReflectorScratch& s, bool last) const {
   s.hits.resize(s.rays.size());
   s.first.resize(s.rays.size());
-  traceFirst(scene_, s.rays, true, s.hits, s.first);
+  traceFirst(scene_, s.rays, {}, s.hits, s.first);
   s.arrivals.clear();
   s.next_rays.clear();
   s.next_paths.clear();

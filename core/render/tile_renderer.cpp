@@ -103,7 +103,8 @@ void TileRenderer::trace(std::span<const PixelTask> tasks, std::span<const vec2>
   }
   s.hits.resize(s.rays.size());
   s.first.resize(s.rays.size());
-  traceFirst(scene_, s.rays, mayShowLuminaires(tasks), s.hits, s.first);
+  traceFirst(scene_, s.rays, {.coherent = true, .luminaires = mayShowLuminaires(tasks)}, s.hits,
+             s.first);
 }
 
 /// The common case made cheap: the neighbouring sample on the same plain triangle.

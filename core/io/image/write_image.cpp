@@ -85,6 +85,7 @@ OIIO::ImageSpec makeSpec(const fs::path& path, const scene::Image& image,
     spec.attribute("jpeg:subsampling", "4:4:4");
   } else if (extension != ".hdr") {
     spec.attribute("compression", "zip");
+    spec.attribute("png:compressionLevel", 4);  // a third of the time of 6 for a tenth more bytes
   }
   return spec;
 }

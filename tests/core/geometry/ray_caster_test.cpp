@@ -220,6 +220,30 @@ TEST(RayCaster, BatchEqualsSingleRays) {
   }
 }
 
+TEST(RayCaster, CoherentRaysMeetTheSame) {
+  const Soup soup = turnedSphere(1.0F, 40);
+  const RayCaster caster(soup.positions, soup.triangles);
+  std::vector<Ray> rays;
+  for (int y = 0; y < 50; ++y) {
+    for (int x = 0; x < 50; ++x) {
+      const vec3 aim(0.05F * static_cast<float>(x) - 1.2F, 0.05F * static_cast<float>(y) - 1.2F,
+                     -2.0F);
+      rays.push_back({.origin = {0.01F, 0.02F, 2.0F}, .direction = glm::normalize(aim)});
+    }
+  }
+  std::vector<Hit> plain(rays.size());
+  std::vector<Hit> coherent(rays.size());
+  caster.closest(rays, plain);
+  caster.closest(rays, coherent, true);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    // On an edge either neighbour may be named; the distance is the same to rounding.
+    ASSERT_EQ(plain[i].valid(), coherent[i].valid());
+    if (plain[i].valid()) {
+      ASSERT_NEAR(plain[i].t, coherent[i].t, 1e-5F);
+    }
+  }
+}
+
 TEST(RayCaster, OutlivesAMove) {
   const Soup soup = oneTriangle(1.0F);
   RayCaster first(soup.positions, soup.triangles);
