@@ -44,13 +44,13 @@ def _wound(points, height):
 
 def make():
     model, shell = _geometry()
-    project = Project("Cornell box", "cornell.obj", exposure=0.0)
+    project = Project("Cornell box", "cornell.obj", exposure=1.0)
     project.material("white", [0.74, 0.74, 0.72])
     project.material("red", [0.57, 0.05, 0.05])
     project.material("green", [0.11, 0.42, 0.09])
     project.material("block", [0.73, 0.73, 0.71])
     project.luminaire("Ceiling light", shape={"rectangle": [0.65, 0.525]},
-                      position=[WIDTH / 2, 1.398, HEIGHT - 0.01], flux=2600, cct=3400, group="Ceiling")
+                      position=[WIDTH / 2, 1.398, HEIGHT - 0.01], flux=2600, rgb=[1.0, 0.87, 0.70], group="Ceiling")
     project.layout("Classic")
     project.layout("Light moved", luminaires={
         "Ceiling light": {"position": [0.75, 0.8, 2.0], "rotation": [0, -25, 0]}})
