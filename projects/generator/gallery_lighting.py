@@ -24,12 +24,12 @@ SPOTS = [
     ("Picture 8", (6.6, 3.0), (5.1, 3.0, 1.5), "wide", 900),
     ("Picture 9 left", (8.9, 1.3), (10.0, 2.75, 1.5), "wide", 1000),
     ("Picture 9 right", (8.9, 4.7), (10.0, 3.25, 1.5), "wide", 1000),
-    ("Knot left", (0.8, 1.3), (1.9, 3.0, 1.35), "narrow", 320),
-    ("Knot right", (3.4, 4.1), (1.9, 3.0, 1.35), "narrow", 320),
-    ("Column left", (6.6, 2.1), (7.4, 4.2, 1.35), "narrow", 320),
-    ("Column right", (9.3, 4.7), (7.4, 4.2, 1.35), "narrow", 260),
-    ("Pebble left", (6.6, 3.9), (7.4, 1.8, 1.1), "narrow", 320),
-    ("Pebble right", (9.3, 1.3), (7.4, 1.8, 1.1), "narrow", 260),
+    ("Knot left", (0.8, 1.3), (1.9, 3.0, 1.35), "narrow", 200),
+    ("Knot right", (3.4, 4.1), (1.9, 3.0, 1.35), "narrow", 200),
+    ("Column left", (6.6, 2.1), (7.4, 4.2, 1.35), "narrow", 200),
+    ("Column right", (9.3, 4.7), (7.4, 4.2, 1.35), "narrow", 170),
+    ("Pebble left", (6.6, 3.9), (7.4, 1.8, 1.1), "narrow", 200),
+    ("Pebble right", (9.3, 1.3), (7.4, 1.8, 1.1), "narrow", 170),
 ]
 
 
@@ -103,7 +103,7 @@ def _layouts(project):
 def _spots(project):
     for name, place, aim, beam, lumens in SPOTS:
         group = "Pictures" if name.startswith("Picture") else "Sculptures"
-        fields = _spot(place, aim, beam, lumens, group=group, cct=3000)
+        fields = _spot(place, aim, beam, lumens, group=group, cct=4000)
         project.luminaires.append({"name": f"Spot {name}", **fields})
 
 
