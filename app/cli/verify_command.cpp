@@ -4,6 +4,7 @@
 #include "app/cli/figures_json.h"
 #include "app/cli/output.h"
 #include "app/cli/progress_bar.h"
+#include "core/design/compare_table.h"
 #include "core/design/verify.h"
 #include "core/io/project/csv.h"
 #include "core/io/project/json.h"
@@ -94,8 +95,27 @@ io::Json toJson(const design::VerifyReport& report, double seconds) {
   return out;
 }
 
+/// A row per point; names with commas are quoted.
+std::string toCsv(const std::vector<design::VerifiedPoint>& points) {
+  std::string text =
+      "x,y,z,nx,ny,nz,set,zone,direct,indirect,total,reference_direct,reference_indirect,"
+      "reference_total,stderr\n";
+  for (const design::VerifiedPoint& p : points) {
+    const dvec3& x = p.sensor.position;
+    const dvec3& n = p.sensor.normal;
+    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{},", x.x, x.y, x.z, n.x, n.y,
+                        n.z, design::csvField(p.set), design::csvField(p.zone));
+    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", p.value.direct,
+                        p.value.indirect, p.value.direct + p.value.indirect, p.reference.direct,
+                        p.reference.indirect, p.reference.direct + p.reference.indirect,
+                        p.standard_error);
+  }
+  return text;
+}
+
 Result<void> runVerify(VerifyArguments arguments, Session& session) {
   const auto start = std::chrono::steady_clock::now();
+  if (const auto ok = checkResultFile(arguments.common.output); !ok) return ok;
   if (!arguments.path.empty()) {
     if (arguments.verify.luminaire.empty()) {
       return Error{"--path", "a path needs the luminaire that moves along it",
@@ -126,6 +146,10 @@ Result<void> runVerify(VerifyArguments arguments, Session& session) {
     return error;
   }
   progress.clear();
+  if (!arguments.common.output.empty()) {
+    const auto written = writeResult(arguments.common.output, toCsv(report->points));
+    if (!written) return written;
+  }
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (!report->reached) {
@@ -152,6 +176,7 @@ void addVerifyCommand(CLI::App& app, Session& session) {
   addSetOption(*command, arguments->common);
   addComputeOptions(*command, arguments->common);
   addJsonOption(*command, arguments->common);
+  addOutputOption(*command, arguments->common, "CSV file for every point with both solutions");
   CLI::Option* sensors = command->add_option(
       "--sensors", arguments->sensors, "Compare at these points instead: CSV with x,y,z,nx,ny,nz");
   command

@@ -136,8 +136,8 @@ Result<BenchCase> makeBenchCase(const std::shared_ptr<const relight::Solver>& so
   if (!of_others) return of_others.error();
   const auto of_one = points.evaluate(alone, 1, job);
   if (!of_one) return of_one.error();
-  bench.total = sumOf(*of_others, *of_one).surfaces;
-  bench.alone = of_one->surfaces;
+  bench.total = sumOf(*of_others, *of_one).surfaces.lux;
+  bench.alone = of_one->surfaces.lux;
   return bench;
 }
 

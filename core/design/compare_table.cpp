@@ -9,14 +9,6 @@
 namespace soffit::design {
 namespace {
 
-/// RFC 4180.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
-}
-
 /// Width of a column of names, by code points.
 std::size_t widthOf(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
@@ -33,6 +25,13 @@ std::string percentOf(double difference, double base) {
 }
 
 }  // namespace
+
+std::string csvField(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
 
 std::string compareText(std::span<const LayoutFigures> layouts) {
   std::string text;
@@ -77,13 +76,13 @@ std::string compareCsv(std::span<const LayoutFigures> layouts) {
   for (const LayoutFigures& l : layouts) {
     const std::string flux = fmt::format("{},{:.9g},{:.9g},{:.9g}\n", l.luminaires_on, l.emitted_lm,
                                          l.installed_lm, l.lm_per_m2);
-    if (l.planes.empty()) fmt::format_to(out, "{},,0,,,,,,,,,,{}", quoted(l.name), flux);
+    if (l.planes.empty()) fmt::format_to(out, "{},,0,,,,,,,,,,{}", csvField(l.name), flux);
     for (std::size_t p = 0; p < l.planes.size(); ++p) {
       const photometry::FieldMetrics& m = l.planes[p].lux;
       const photometry::FieldMetrics& first = layouts[0].planes[p].lux;
       fmt::format_to(
           out, "{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{},{:.9g},{:.9g},{}",
-          quoted(l.name), quoted(l.planes[p].name), m.count, m.mean, m.min, m.max, m.u0, m.ud,
+          csvField(l.name), csvField(l.planes[p].name), m.count, m.mean, m.min, m.max, m.u0, m.ud,
           m.mean - first.mean,
           first.mean > 0.0 ? fmt::format("{:.9g}", 100.0 * (m.mean / first.mean - 1.0)) : "",
           m.min - first.min, m.max - first.max, flux);

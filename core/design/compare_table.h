@@ -19,4 +19,7 @@ std::string compareText(std::span<const LayoutFigures> layouts);
 /// percentage is empty where its mean is 0.
 std::string compareCsv(std::span<const LayoutFigures> layouts);
 
+/// A text as a field of a CSV row: quoted where it needs it (RFC 4180).
+std::string csvField(const std::string& text);
+
 }  // namespace soffit::design

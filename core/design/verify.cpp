@@ -43,8 +43,8 @@ LightErrors errorsOf(std::span<const PointSamples> positions, const Places& plac
   std::vector<ErrorSamples> surfaces;
   std::vector<ErrorSamples> sensors;
   for (const PointSamples& p : positions) {
-    surfaces.push_back(p.surfaces);
-    sensors.push_back(p.sensors);
+    surfaces.push_back(p.surfaces.lux);
+    sensors.push_back(p.sensors.lux);
   }
   LightErrors out;
   const auto& main = places.sensors_are_receivers ? sensors : surfaces;
@@ -102,6 +102,26 @@ Places placesOf(const relight::Solver& solver, const scene::Scene& scene,
   return places;
 }
 
+std::vector<VerifiedPoint> pointsOf(const VerifyPoints& points, const PointSamples& samples,
+                                    const Places& places, const dvec3& origin) {
+  std::vector<VerifiedPoint> out;
+  const auto add = [&](const scene::Sensor& sensor, const std::string& set, std::size_t room,
+                       const SetSamples& from, std::size_t i) {
+    out.push_back({sensor, set, room < places.rooms.size() ? places.rooms[room] : "", from.value[i],
+                   from.reference[i], from.lux.standard_error[i]});
+  };
+  for (std::size_t i = 0; i < points.surfaces().size(); ++i) {
+    add(toSensor(points.surfaces()[i], origin), "surface", places.room_of_surface[i],
+        samples.surfaces, i);
+  }
+  for (std::size_t i = 0; i < points.sensors().size(); ++i) {
+    const std::string set =
+        places.sensors_are_receivers ? "sensor" : places.planes[places.plane_of_sensor[i]];
+    add(points.sensors()[i], set, places.room_of_sensor[i], samples.sensors, i);
+  }
+  return out;
+}
+
 Result<std::size_t> indexOf(const scene::Scene& scene, const std::string& name) {
   std::string known;
   for (std::size_t i = 0; i < scene.luminaires.size(); ++i) {
@@ -154,6 +174,7 @@ Result<void> reportAlone(VerifyPoints& points, const scene::Scene& scene, const 
   if (!at_home) return at_home.error();
   const std::vector<PointSamples> total{sumOf(*rest, *at_home)};
   report.total = errorsOf(total, places);
+  report.points = pointsOf(points, total[0], places, scene.mesh->origin);
   report.luminaire = VerifyReport::Luminaire{scene.luminaires[index].name, {}, {}};
   std::vector<PointSamples> all;
   for (const dvec3& position : path) {
@@ -213,6 +234,7 @@ Result<VerifyReport> verify(std::shared_ptr<const relight::Solver> solver,
     const auto samples = points.evaluate(scene.luminaires, 1, job);
     if (!samples) return samples.error();
     report.total = errorsOf(std::span(&*samples, 1), places);
+    report.points = pointsOf(points, *samples, places, scene.mesh->origin);
   }
   report.reached = points.reached();
   report.rays = points.rays();

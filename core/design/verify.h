@@ -38,6 +38,16 @@ struct LightErrors {
   std::vector<NamedFigures> planes;         ///< each against its own mean
 };
 
+/// A point with both solutions of all luminaires.
+struct VerifiedPoint {
+  scene::Sensor sensor;
+  std::string set;   ///< "surface", "sensor", or the work plane's name
+  std::string zone;  ///< its room; may be empty
+  LightParts value;
+  LightParts reference;
+  double standard_error = 0.0;  ///< of the reference's total, lux
+};
+
 struct VerifyReport {
   LightErrors total;  ///< all luminaires of the scene, where they stand
   struct Position {
@@ -51,8 +61,9 @@ struct VerifyReport {
     std::vector<Position> positions;  ///< of the path
   };
   std::optional<Luminaire> luminaire;
-  bool reached = true;     ///< the wanted error of the reference
-  std::uint64_t rays = 0;  ///< of the reference
+  std::vector<VerifiedPoint> points;  ///< surfaces, then sensors
+  bool reached = true;                ///< the wanted error of the reference
+  std::uint64_t rays = 0;             ///< of the reference
 };
 
 /// Compares both solutions of scene.luminaires.

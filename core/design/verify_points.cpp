@@ -13,29 +13,44 @@
 namespace soffit::design {
 namespace {
 
-double lux(const relight::SensorLight& light) {
-  return glm::dot(light.direct + light.indirect, light::kLuminance);
+LightParts sumOf(const LightParts& a, const LightParts& b) {
+  return {a.direct + b.direct, a.indirect + b.indirect};
 }
 
-ErrorSamples sumOf(const ErrorSamples& a, const ErrorSamples& b) {
-  ErrorSamples sum;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    sum.add(a.value[i] + b.value[i], a.reference[i] + b.reference[i],
-            std::hypot(a.standard_error[i], b.standard_error[i]));
+SetSamples sumOf(const SetSamples& a, const SetSamples& b) {
+  SetSamples sum;
+  for (std::size_t i = 0; i < a.lux.size(); ++i) {
+    sum.lux.add(a.lux.value[i] + b.lux.value[i], a.lux.reference[i] + b.lux.reference[i],
+                std::hypot(a.lux.standard_error[i], b.lux.standard_error[i]));
+    sum.value.push_back(sumOf(a.value[i], b.value[i]));
+    sum.reference.push_back(sumOf(a.reference[i], b.reference[i]));
   }
   return sum;
+}
+
+/// Readings whose reference is still to come.
+SetSamples samplesOf(std::span<const relight::SensorLight> readings) {
+  SetSamples out;
+  for (const relight::SensorLight& r : readings) {
+    const LightParts parts{glm::dot(r.direct, light::kLuminance),
+                           glm::dot(r.indirect, light::kLuminance)};
+    out.lux.add(parts.direct + parts.indirect, 0.0, 0.0);
+    out.value.push_back(parts);
+  }
+  out.reference.resize(out.value.size());
+  return out;
 }
 
 /// Points that are estimated together.
 struct Batch {
   std::vector<scene::Sensor> sensors;
   std::vector<std::size_t> index;
-  ErrorSamples* into = nullptr;
+  SetSamples* into = nullptr;
 };
 
 /// Sensors by group, each with where its reference goes.
 std::vector<Batch> batchesOf(std::span<const scene::Sensor> sensors,
-                             std::span<const std::size_t> groups, ErrorSamples& into) {
+                             std::span<const std::size_t> groups, SetSamples& into) {
   std::vector<Batch> batches;
   const std::set<std::size_t> names(groups.begin(), groups.end());
   for (const std::size_t name : names) {
@@ -157,8 +172,10 @@ Result<void> VerifyPoints::addReference(std::span<const light::Luminaire> lumina
     rays_ += found.rays;
     reached_ = reached_ && found.reached;
     for (std::size_t k = 0; k < batch.index.size(); ++k) {
-      batch.into->reference[batch.index[k]] = found.sensors[k].total;
-      batch.into->standard_error[batch.index[k]] = found.sensors[k].standard_error;
+      const reference::SensorEstimate& e = found.sensors[k];
+      batch.into->lux.reference[batch.index[k]] = e.total;
+      batch.into->lux.standard_error[batch.index[k]] = e.standard_error;
+      batch.into->reference[batch.index[k]] = {e.direct, e.indirect};
     }
   }
   return {};
@@ -170,10 +187,8 @@ Result<PointSamples> VerifyPoints::evaluate(std::span<const light::Luminaire> lu
   const auto set = lighting.setLuminaires(luminaires, job);
   if (!set) return set.error();
   PointSamples out;
-  for (const auto& light : readSurfaces(lighting, surfaces_)) out.surfaces.add(lux(light), 0, 0);
-  if (prepared_) {
-    for (const auto& light : lighting.read(*prepared_)) out.sensors.add(lux(light), 0, 0);
-  }
+  out.surfaces = samplesOf(readSurfaces(lighting, surfaces_));
+  if (prepared_) out.sensors = samplesOf(lighting.read(*prepared_));
   const double left = std::max(0.0, effort_.time_limit_s - seconds_spent_);
   const auto added =
       addReference(luminaires, left / static_cast<double>(evaluations_left), job, out);

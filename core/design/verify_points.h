@@ -26,10 +26,23 @@ struct ReferenceEffort {
   std::uint64_t seed = 1;
 };
 
-/// Interactive and reference values of one set of luminaires, at both kinds of points.
+/// Illuminance at a point, lux.
+struct LightParts {
+  double direct = 0.0;    ///< without reflection
+  double indirect = 0.0;  ///< after at least one
+};
+
+/// Values of one set of luminaires at one kind of points.
+struct SetSamples {
+  ErrorSamples lux;
+  std::vector<LightParts> value;      ///< interactive
+  std::vector<LightParts> reference;  ///< sums to lux.reference
+};
+
+/// The same at both kinds.
 struct PointSamples {
-  ErrorSamples surfaces;
-  ErrorSamples sensors;
+  SetSamples surfaces;
+  SetSamples sensors;
 };
 
 /// a + b for luminaires that shine together: values and references add, noise in squares.

@@ -11,9 +11,9 @@ namespace {
 
 TEST(ProgressLine, HasTheSameWidthThroughout) {
   for (const double done : {0.0, 0.5, 1.0, -1.0, 2.0, std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_EQ(progressLine("tracing", done, 78).size(), 77U) << done;
+    EXPECT_EQ(progressLine("tracing", done, 78).size(), 78U) << done;
   }
-  EXPECT_EQ(progressLine(std::string(200, 'x'), 0.5, 78).size(), 77U);
+  EXPECT_EQ(progressLine(std::string(200, 'x'), 0.5, 78).size(), 78U);
   EXPECT_LE(progressLine("tracing", 0.5, 20).size(), 20U);
 }
 
