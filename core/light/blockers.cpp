@@ -2,87 +2,97 @@
 #include "core/light/blockers.h"
 
 #include <algorithm>
-#include <numeric>
+#include <bit>
 
 namespace soffit::light {
 
 namespace {
-constexpr std::uint32_t kLeafSize = 6;
+
+/// Lanes without a blocker never survive: their plane lies above everything.
+CullBlock emptyBlock() {
+  CullBlock block;
+  block.d.fill(1.0F);
+  return block;
 }
 
-Blockers::Blockers(std::vector<Blocker> blockers) : blockers_(std::move(blockers)) {
+void setLane(CullBlock& block, std::size_t k, const Blocker& blocker) {
+  for (std::size_t c = 0; c < CullBlock::kCorners; ++c) {
+    const vec3& corner = blocker.corners[std::min<std::size_t>(c, blocker.count - 1U)];
+    block.x[c][k] = corner.x;
+    block.y[c][k] = corner.y;
+    block.z[c][k] = corner.z;
+  }
+  const vec3 n = blocker.solid ? blocker.normal : vec3(0.0F);
+  block.nx[k] = n.x;
+  block.ny[k] = n.y;
+  block.nz[k] = n.z;
+  block.d[k] = blocker.solid ? glm::dot(n, blocker.corners[0]) : -1.0F;
+}
+
+}  // namespace
+
+Blockers::Blockers(std::span<const Blocker> blockers) {
+  std::vector<vec3> centers;
+  centers.reserve(blockers.size());
+  for (const Blocker& b : blockers) centers.push_back(b.bounds().center());
   std::vector<Box> boxes;
-  boxes.reserve(blockers_.size());
-  for (const Blocker& b : blockers_) {
-    boxes.push_back(b.bounds());
-    bounds_.add(boxes.back());
+  for (const std::uint32_t i : orderByPlace(centers)) {
+    const std::size_t k = items_.size() % CullBlock::kSize;
+    if (k == 0) {
+      blocks_.push_back(emptyBlock());
+      boxes.emplace_back();
+    }
+    setLane(blocks_.back(), k, blockers[i]);
+    boxes.back().add(blockers[i].bounds());
+    items_.push_back(maskBlocker(blockers[i]));
   }
-  if (!blockers_.empty()) {
-    nodes_.reserve(blockers_.size());
-    build(0, static_cast<std::uint32_t>(blockers_.size()), boxes);
-  }
+  tree_ = BoxTree(boxes);
 }
 
-void Blockers::build(std::uint32_t begin, std::uint32_t end, std::vector<Box>& boxes) {
-  const std::size_t index = nodes_.size();
-  nodes_.emplace_back();
-  Box box;
-  Box centers;
-  for (std::uint32_t i = begin; i < end; ++i) {
-    box.add(boxes[i]);
-    centers.add(boxes[i].center());
+void Blockers::collect(const Shaft& shaft, std::vector<BoxTree::Part>& out) const {
+  const std::size_t before = out.size();
+  tree_.collect(shaft, out);
+  // Whole walls have large boxes that most shafts meet: look at the blockers themselves.
+  std::size_t kept = before;
+  for (std::size_t i = before; i < out.size(); ++i) {
+    BoxTree::Part part = out[i];
+    for (std::uint32_t bits = part.bits; bits != 0; bits &= bits - 1) {
+      const int bit = std::countr_zero(bits);
+      const CullResult found = cullBlock(blocks_[part.index(bit)], shaft.planes(), shaft.from(), nullptr);
+      if (found.whole == 0) part.bits &= ~(1U << static_cast<unsigned>(bit));
+    }
+    if (part.bits != 0) out[kept++] = part;
   }
-  nodes_[index].box = box;
-  const vec3 size = centers.size();
-  if (end - begin <= kLeafSize || std::max({size.x, size.y, size.z}) <= 0.0F) {
-    nodes_[index].first = begin;
-    nodes_[index].count = end - begin;
-    return;
-  }
-  const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
-  // Median split of a permutation, applied to both arrays; ties are broken by index so that the
-  // tree is the same on every platform.
-  std::vector<std::uint32_t> order(end - begin);
-  std::iota(order.begin(), order.end(), begin);
-  const std::uint32_t half = (end - begin) / 2;
-  std::nth_element(order.begin(), order.begin() + half, order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const float ca = boxes[a].center()[axis];
-    const float cb = boxes[b].center()[axis];
-    return ca < cb || (ca == cb && a < b);
-  });
-  std::vector<Blocker> moved_blockers;
-  std::vector<Box> moved_boxes;
-  moved_blockers.reserve(order.size());
-  moved_boxes.reserve(order.size());
-  for (const std::uint32_t i : order) {
-    moved_blockers.push_back(blockers_[i]);
-    moved_boxes.push_back(boxes[i]);
-  }
-  std::copy(moved_blockers.begin(), moved_blockers.end(), blockers_.begin() + begin);
-  std::copy(moved_boxes.begin(), moved_boxes.end(), boxes.begin() + begin);
-  build(begin, begin + half, boxes);
-  nodes_[index].first = static_cast<std::uint32_t>(nodes_.size());
-  build(begin + half, end, boxes);
+  out.resize(kept);
 }
 
-void Blockers::collect(const Shaft& shaft, std::vector<std::uint32_t>& out) const {
-  if (nodes_.empty()) return;
-  std::array<std::uint32_t, 64> stack{};
-  int depth = 0;
-  stack[static_cast<std::size_t>(depth++)] = 0;
-  while (depth > 0) {
-    const std::uint32_t index = stack[static_cast<std::size_t>(--depth)];
-    const Node& node = nodes_[index];
-    if (!shaft.touches(node.box)) continue;
-    if (node.count > 0) {
-      for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-        if (shaft.touches(blockers_[i].outline())) out.push_back(i);
+void Blockers::find(std::span<const BoxTree::Part> parts, const Shaft& shaft, const Box& receivers,
+                    const vec4* cut, Found& out) const {
+  out.whole.clear();
+  out.cut.clear();
+  for (const BoxTree::Part& part : parts) {
+    for (std::uint32_t bits = tree_.refine(part, shaft); bits != 0; bits &= bits - 1) {
+      const std::size_t block = part.index(std::countr_zero(bits));
+      const CullResult found = cullBlock(blocks_[block], shaft.planes(), receivers, cut);
+      const MaskBlocker* const first = &items_[block * CullBlock::kSize];
+      for (std::uint32_t b = found.whole; b != 0; b &= b - 1) {
+        out.whole.push_back(first + std::countr_zero(b));
       }
-    } else {
-      stack[static_cast<std::size_t>(depth++)] = node.first;
-      stack[static_cast<std::size_t>(depth++)] = index + 1;
+      for (std::uint32_t b = found.cut; b != 0; b &= b - 1) {
+        out.cut.push_back(first + std::countr_zero(b));
+      }
     }
   }
+}
+
+MaskBlocker maskBlocker(const Blocker& blocker) {
+  MaskBlocker m;
+  std::copy(blocker.corners.begin(), blocker.corners.end(), m.corners.begin());
+  m.count = blocker.count;
+  m.normal = blocker.normal;
+  m.d = glm::dot(blocker.normal, blocker.corners[0]);
+  m.solid = blocker.solid;
+  return m;
 }
 
 }  // namespace soffit::light

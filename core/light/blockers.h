@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/light/shaft.h"
-#include "core/math/box.h"
-#include "core/math/vec.h"
-
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "core/light/box_tree.h"
+#include "core/light/light_mask.h"
+#include "core/light/shaft.h"
+#include "core/math/box.h"
+#include "core/math/vec.h"
 
 namespace soffit::light {
 
@@ -17,8 +19,8 @@ namespace soffit::light {
 struct Blocker {
   std::array<vec3, 4> corners{};
   std::uint8_t count = 3;
-  bool solid = false;  ///< face of a closed, outward-wound solid: only its front blocks
-  vec3 normal{0.0F};   ///< unit, toward the front
+  bool solid = false;   ///< face of a closed, outward-wound solid: only its front blocks
+  vec3 normal{0.0F};    ///< unit, toward the front
 
   [[nodiscard]] std::span<const vec3> outline() const { return {corners.data(), count}; }
   [[nodiscard]] Box bounds() const {
@@ -28,30 +30,36 @@ struct Blocker {
   }
 };
 
-/// Static blockers in a bounding-volume hierarchy that is asked with shafts. Immutable.
+/// A blocker in the form the kernels take.
+MaskBlocker maskBlocker(const Blocker& blocker);
+
+/// Static blockers, asked with shafts. Immutable.
 class Blockers {
  public:
   Blockers() = default;
-  explicit Blockers(std::vector<Blocker> blockers);
+  explicit Blockers(std::span<const Blocker> blockers);
 
-  [[nodiscard]] const Blocker& operator[](std::uint32_t i) const { return blockers_[i]; }
-  [[nodiscard]] std::size_t size() const { return blockers_.size(); }
-  [[nodiscard]] const Box& bounds() const { return bounds_; }
+  [[nodiscard]] std::size_t size() const { return items_.size(); }
 
-  /// Appends the indices of all blockers that are not certainly outside the shaft.
-  void collect(const Shaft& shaft, std::vector<std::uint32_t>& out) const;
+  /// Appends the parts of the hierarchy that are neither certainly outside the shaft nor turned
+  /// away from all of its `from` box: the place to start from for all shafts within it.
+  void collect(const Shaft& shaft, std::vector<BoxTree::Part>& out) const;
+
+  /// Who stands between a group of receivers and a light.
+  struct Found {
+    std::vector<const MaskBlocker*> whole;  ///< entirely in front of `cut`
+    std::vector<const MaskBlocker*> cut;    ///< partly: to be clipped
+  };
+  /// Replaces `out` by all blockers of `parts` that are neither certainly outside the shaft nor,
+  /// for solids, turned away from every point of `receivers`.
+  /// cut: (n, d) of a plane of which only the side n.x > d counts; null for none.
+  void find(std::span<const BoxTree::Part> parts, const Shaft& shaft, const Box& receivers,
+            const vec4* cut, Found& out) const;
 
  private:
-  struct Node {
-    Box box;
-    std::uint32_t first = 0;  ///< leaf: first blocker; inner: right child (left is next)
-    std::uint32_t count = 0;  ///< leaf: number of blockers; inner: 0
-  };
-  void build(std::uint32_t begin, std::uint32_t end, std::vector<Box>& boxes);
-
-  std::vector<Blocker> blockers_;
-  std::vector<Node> nodes_;
-  Box bounds_;
+  std::vector<MaskBlocker> items_;   ///< in the order of the tree
+  std::vector<CullBlock> blocks_;    ///< the same, 16 by 16
+  BoxTree tree_;                     ///< of the blocks
 };
 
 }  // namespace soffit::light

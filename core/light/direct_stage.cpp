@@ -23,9 +23,10 @@ bool hasPlane(const Receivers::Bounds& b) { return b.normal != vec3(0.0F); }
 
 /// Scratch memory of one task, reused from cluster to cluster.
 struct Scratch {
-  std::vector<std::uint32_t> found;
-  std::vector<MaskBlocker> cluster;
-  std::vector<MaskBlocker> group;
+  std::vector<BoxTree::Part> parts;   ///< of the static blockers, for the cluster
+  std::vector<MaskBlocker> bodies;    ///< for the cluster
+  Blockers::Found found;              ///< for the group
+  std::vector<MaskBlocker> clipped;   ///< for the group
 };
 
 class Stage {
@@ -51,7 +52,7 @@ class Stage {
     }
     counts.points += c.used;
     collect(c.bounds, scratch);
-    if (scratch.cluster.empty()) ++counts.clusters_clear;
+    if (nothing(scratch)) ++counts.clusters_clear;
     bool lit = false;
     for (std::uint32_t slot = c.begin; slot < c.end; slot += Receivers::kGroup) {
       lit = group(slot, scratch, counts) || lit;
@@ -73,38 +74,39 @@ class Stage {
     return shaft;
   }
 
+  static bool nothing(const Scratch& scratch) { return scratch.parts.empty() && scratch.bodies.empty(); }
+
   void collect(const Receivers::Bounds& bounds, Scratch& scratch) const {
-    scratch.found.clear();
-    scratch.cluster.clear();
+    scratch.parts.clear();
+    scratch.bodies.clear();
     const Shaft shaft = shaftTo(bounds);
-    blockers_.collect(shaft, scratch.found);
-    for (const std::uint32_t i : scratch.found) {
-      const Blocker& blocker = blockers_[i];
-      // A solid's back hides nothing that its fronts do not.
-      if (blocker.solid && highest(bounds.box, blocker.normal) <= glm::dot(blocker.normal, blocker.corners[0])) {
-        continue;
-      }
-      push(maskBlocker(blocker), scratch.cluster);
-    }
+    blockers_.collect(shaft, scratch.parts);
     for (const MaskBlocker& body : options_.bodies) {
       if (shaft.touches(std::span(body.corners.data(), static_cast<std::size_t>(body.count)))) {
-        push(body, scratch.cluster);
+        scratch.bodies.push_back(body);
       }
     }
   }
 
-  void push(const MaskBlocker& blocker, std::vector<MaskBlocker>& to) const {
-    if (!one_sided_) {
-      to.push_back(blocker);
-      return;
+  /// Leaves in scratch.found.whole what may hide a part of the light in front of `cut` from the
+  /// group; pieces cut off are in scratch.clipped.
+  void findBlockers(const Receivers::Bounds& b, const vec4* cut, Scratch& scratch) const {
+    Blockers::Found& found = scratch.found;
+    blockers_.find(scratch.parts, shaftTo(b), b.box, cut, found);
+    for (const MaskBlocker& body : scratch.bodies) (cut != nullptr ? found.cut : found.whole).push_back(&body);
+    scratch.clipped.clear();
+    scratch.clipped.reserve(found.cut.size());  // pointers into it must hold
+    for (const MaskBlocker* const blocker : found.cut) {
+      const MaskBlocker front = clipToFront(*blocker, vec3(*cut), cut->w);
+      if (front.count == 0) continue;
+      scratch.clipped.push_back(front);
+      found.whole.push_back(&scratch.clipped.back());
     }
-    const MaskBlocker front = clipToFront(blocker, plane_n_, plane_d_);
-    if (front.count > 0) to.push_back(front);
   }
 
   bool group(std::uint32_t slot, Scratch& scratch, DirectCounts& counts) const {
     const Receivers::Bounds& b = receivers_.groups[slot / Receivers::kGroup];
-    const MaskReceivers r{&receivers_.x[slot],  &receivers_.y[slot],  &receivers_.z[slot],
+    MaskReceivers r{&receivers_.x[slot],  &receivers_.y[slot],  &receivers_.z[slot],
                           &receivers_.nx[slot], &receivers_.ny[slot], &receivers_.nz[slot]};
     float* out = &lux_[slot];
     if (outOfSight(b)) {
@@ -114,24 +116,32 @@ class Stage {
     const float distance = boxDistance(b.box, light_.emitter().bounds);
     alignas(64) std::array<double, 16> lux{};
     light_.unoccluded(r, distance, lux.data());
-    const bool any = std::any_of(lux.begin(), lux.end(), [](double e) { return e > 0.0; });
-    scratch.group.clear();
-    if (any && !scratch.cluster.empty()) {
-      const Shaft shaft = shaftTo(b);
-      for (const MaskBlocker& blocker : scratch.cluster) {
-        if (shaft.touches(std::span(blocker.corners.data(), static_cast<std::size_t>(blocker.count)))) {
-          scratch.group.push_back(blocker);
-        }
+    r.lanes = 0;
+    for (std::size_t i = 0; i < lux.size(); ++i) r.lanes |= (lux[i] > 0.0 ? 1U : 0U) << i;
+    const bool any = r.lanes != 0;
+    scratch.found.whole.clear();
+    MaskLight facing;
+    if (any && !nothing(scratch)) {
+      if (one_sided_) {
+        const vec4 cut(plane_n_, plane_d_);
+        findBlockers(b, &cut, scratch);
+      } else if (light_.form() == PreparedLight::Form::facing) {
+        facing = light_.facing(b.box.center());
+        const vec4 cut(facing.normal, glm::dot(facing.normal, facing.origin));
+        findBlockers(b, &cut, scratch);
+      } else {
+        findBlockers(b, nullptr, scratch);
       }
     }
-    if (!any || scratch.group.empty()) {
+    const std::span<const MaskBlocker* const> blockers = scratch.found.whole;
+    if (!any || blockers.empty()) {
       ++counts.groups_clear;
       for (std::size_t i = 0; i < lux.size(); ++i) out[i] = static_cast<float>(lux[i]);
       return any;
     }
-    counts.blocker_tests += scratch.group.size();
+    counts.blocker_tests += blockers.size();
     MaskSums sums;
-    visibility(b, distance, r, scratch.group, sums);
+    visibility(facing, distance, r, blockers, sums);
     bool lit = false;
     for (std::size_t i = 0; i < lux.size(); ++i) {
       float share = 1.0F;
@@ -146,25 +156,15 @@ class Stage {
     return lit;
   }
 
-  void visibility(const Receivers::Bounds& b, float distance, const MaskReceivers& r,
-                  std::span<const MaskBlocker> blockers, MaskSums& sums) const {
+  void visibility(const MaskLight& facing, float distance, const MaskReceivers& r,
+                  std::span<const MaskBlocker* const> blockers, MaskSums& sums) const {
     switch (light_.form()) {
       case PreparedLight::Form::planar:
         for (const MaskLight& mask : light_.masks(light_.maskLevel(distance))) {
           addMaskVisibility(mask, blockers, r, options_.epsilon, sums);
         }
         return;
-      case PreparedLight::Form::facing: {
-        const MaskLight mask = light_.facing(b.box.center());
-        std::vector<MaskBlocker> front;
-        const float d = glm::dot(mask.normal, mask.origin);
-        for (const MaskBlocker& blocker : blockers) {
-          const MaskBlocker clipped = clipToFront(blocker, mask.normal, d);
-          if (clipped.count > 0) front.push_back(clipped);
-        }
-        addMaskVisibility(mask, front, r, options_.epsilon, sums);
-        return;
-      }
+      case PreparedLight::Form::facing: addMaskVisibility(facing, blockers, r, options_.epsilon, sums); return;
       case PreparedLight::Form::points: {
         // Shadows want more points than the unoccluded light does.
         const int level = std::max(light_.sampleLevel(distance), 3);
@@ -195,20 +195,11 @@ void DirectCounts::add(const DirectCounts& o) {
   blocker_tests += o.blocker_tests;
 }
 
-MaskBlocker maskBlocker(const Blocker& blocker) {
-  MaskBlocker m;
-  std::copy(blocker.corners.begin(), blocker.corners.end(), m.corners.begin());
-  m.count = blocker.count;
-  m.normal = blocker.normal;
-  m.d = glm::dot(blocker.normal, blocker.corners[0]);
-  m.solid = blocker.solid;
-  return m;
-}
-
 MaskBlocker clipToFront(const MaskBlocker& blocker, const vec3& n, float d) {
   std::array<float, 5> height{};
   bool all = true;
   bool none = true;
+  // How far a corner may stand on the wrong side by rounding alone.
   const float tolerance = 2e-7F * (std::abs(d) + 1.0F);
   for (int i = 0; i < blocker.count; ++i) {
     const auto k = static_cast<std::size_t>(i);

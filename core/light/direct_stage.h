@@ -38,9 +38,6 @@ void directIlluminance(const PreparedLight& light, const Receivers& receivers, c
                        const DirectOptions& options, std::span<float> lux, std::span<std::uint8_t> lit,
                        DirectCounts* counts = nullptr);
 
-/// A blocker in the form the kernels take.
-MaskBlocker maskBlocker(const Blocker& blocker);
-
 /// The part of a convex blocker on the side n.x > d of a plane; count 0 when nothing is left.
 MaskBlocker clipToFront(const MaskBlocker& blocker, const vec3& n, float d);
 

@@ -9,7 +9,14 @@ namespace soffit::light {
 
 float MaskLight::rowOffset(int row) {
   // Centred van der Corput numbers: (bit-reversed j + 1/2)/16.
-  return static_cast<float>(radicalInverse2(static_cast<std::uint32_t>(row)) + 0.5 / kRows);
+  static const auto table = [] {
+    std::array<float, kRows> t{};
+    for (std::size_t j = 0; j < t.size(); ++j) {
+      t[j] = static_cast<float>(radicalInverse2(static_cast<std::uint32_t>(j)) + 0.5 / kRows);
+    }
+    return t;
+  }();
+  return table[static_cast<std::size_t>(row)];
 }
 
 vec3 MaskLight::sample(int row, int column) const {

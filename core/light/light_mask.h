@@ -52,6 +52,7 @@ struct MaskBlocker {
 /// 16 receivers, structure of arrays.
 struct MaskReceivers {
   const float *x, *y, *z, *nx, *ny, *nz;
+  std::uint32_t lanes = 0xffffU;  ///< bit per receiver: those whose visibility is asked for
 };
 
 /// Sums over the light for 16 receivers: visible and whole weight. V = visible / total; when
@@ -65,8 +66,8 @@ struct MaskSums {
 
 /// Adds a parallelogram light's weights to `sums`. epsilon (m): receivers nearer than this to a
 /// blocker's plane are not hidden by it. Blockers must be clipped to the light's front.
-void addMaskVisibility(const MaskLight& light, std::span<const MaskBlocker> blockers, const MaskReceivers& receivers,
-                       float epsilon, MaskSums& sums);
+void addMaskVisibility(const MaskLight& light, std::span<const MaskBlocker* const> blockers,
+                       const MaskReceivers& receivers, float epsilon, MaskSums& sums);
 
 /// A light as points on its surface: any shape. weight: m^2 (or any measure); normal (0,0,0) where
 /// the emission has no cosine (measured photometry, point sources).
@@ -76,7 +77,7 @@ struct PointLightSamples {
 };
 
 /// The same sums for a light made of points; blockers beyond a point do not hide it.
-void addPointVisibility(const PointLightSamples& points, std::span<const MaskBlocker> blockers,
+void addPointVisibility(const PointLightSamples& points, std::span<const MaskBlocker* const> blockers,
                         const MaskReceivers& receivers, float epsilon, MaskSums& sums);
 
 /// Closed-form E/L of a planar polygon (relative orientation as in polygonIrradiance) for 16

@@ -38,6 +38,13 @@ HWY_INLINE V3 cross(const V3& a, const V3& b) {
           hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
 }
 
+/// Lanes [lane, lane + Lanes(d)) of r.lanes as a mask.
+HWY_INLINE M lanesOf(const MaskReceivers& r, std::size_t lane) {
+  const std::uint32_t bits = r.lanes >> lane;
+  const std::uint8_t packed[8] = {static_cast<std::uint8_t>(bits & 255U), static_cast<std::uint8_t>(bits >> 8U)};
+  return hn::LoadMaskBits(d, packed);
+}
+
 /// Which receivers a blocker can hide anything from, and the sign that turns v_k x v_k+1 inward.
 struct Facing {
   M active;
@@ -55,70 +62,149 @@ HWY_INLINE Facing facing(const MaskBlocker& blocker, const V3& p, float epsilon)
   return {active, hn::IfThenElse(front, hn::Set(d, -1.0F), hn::Set(d, 1.0F)), height};
 }
 
-/// Row intervals of one edge: T_j = a + j b is the bound on the column, from below where e1 > 0.
-struct EdgeRows {
-  V lo_a, lo_b, hi_a, hi_b;
+/// An edge as seen on the light: f(a, b) = c0 + a c1 + b c2 is positive where the edge's plane
+/// leaves the place (a, b) on the blocker's side (design.md section 3, step 4).
+struct EdgePlane {
+  V c0, c1, c2;
 };
 
-HWY_INLINE EdgeRows edgeRows(const V3& v, const vec3& edge, const V& sign, const V3& to_origin, const V3& lu,
-                             const V3& lv) {
+HWY_INLINE EdgePlane edgePlane(const V3& v, const vec3& edge, const V& sign, const V3& to_origin, const V3& lu,
+                               const V3& lv) {
   const V3 m = cross(v, set3(edge));
-  const V c0 = hn::Mul(sign, dot(m, to_origin));
-  const V c1 = hn::Mul(sign, dot(m, lu));
-  const V c2 = hn::Mul(hn::Mul(sign, dot(m, lv)), hn::Set(d, 1.0F / MaskLight::kRows));
+  return {hn::Mul(sign, dot(m, to_origin)), hn::Mul(sign, dot(m, lu)), hn::Mul(sign, dot(m, lv))};
+}
+
+/// Shifts by any count: what leaves the word is gone. (Other instruction sets take counts modulo 32.)
+HWY_INLINE VU shiftUp(const VU& bits, const VU& count) {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
+  return hn::Shl(bits, count);
+#else
+  const VU most = hn::Set(du, 31U);
+  return hn::IfThenZeroElse(hn::Gt(count, most), hn::Shl(bits, hn::Min(count, most)));
+#endif
+}
+HWY_INLINE VU shiftDown(const VU& bits, const VU& count) {
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
+  return hn::Shr(bits, count);
+#else
+  const VU most = hn::Set(du, 31U);
+  return hn::IfThenZeroElse(hn::Gt(count, most), hn::Shr(bits, hn::Min(count, most)));
+#endif
+}
+
+/// Bounds on the column by row j, T_j = a + j b: from below where f rises along a row, from above
+/// where it falls.
+struct Bound {
+  V a, b;
+};
+template <int kMax>
+struct RowBounds {
+  Bound lo[kMax], hi[kMax];
+  int lo_count = 0;
+  int hi_count = 0;
+};
+
+template <int kMax>
+HWY_INLINE void addBound(const EdgePlane& f, RowBounds<kMax>& bounds) {
+  const V c2 = hn::Mul(f.c2, hn::Set(d, 1.0F / MaskLight::kRows));
   // Along a row f = (c0 + j c2) + a e1 with e1 = c1 + c2 (rows are slanted). A vanishing slope
-  // means the row is all in or all out: a bounded slope of either sign keeps that decision.
-  const V e1 = hn::Add(c1, c2);
-  const V least = hn::MulAdd(hn::Add(hn::Abs(c0), hn::Mul(hn::Abs(c2), hn::Set(d, 16.0F))), hn::Set(d, 1e-6F),
-                             hn::Set(d, 1e-30F));
+  // means the row is all in or all out: a bounded slope of either sign keeps that decision, and
+  // keeps T below 1e8, which still is an integer of 32 bits.
+  const V e1 = hn::Add(f.c1, c2);
+  const V least = hn::MulAdd(hn::Add(hn::Abs(f.c0), hn::Abs(f.c2)), hn::Set(d, 1e-6F), hn::Set(d, 1e-30F));
   const V slope = hn::CopySign(hn::Max(hn::Abs(e1), least), e1);
-  const V inverse = hn::Div(hn::Set(d, -static_cast<float>(MaskLight::kColumns)), slope);
-  const V a = hn::Mul(c0, inverse);
+  // One step of Newton's: 22 bits or more, a column is 1/32.
+  V inverse = hn::ApproximateReciprocal(slope);
+  inverse = hn::Mul(inverse, hn::NegMulAdd(slope, inverse, hn::Set(d, 2.0F)));
+  inverse = hn::Mul(inverse, hn::Set(d, -static_cast<float>(MaskLight::kColumns)));
+  const V a = hn::Mul(f.c0, inverse);
   const V b = hn::Mul(c2, inverse);
   const M rising = hn::Gt(slope, hn::Zero(d));
-  const V far = hn::Set(d, 1e9F);
-  return {hn::IfThenElse(rising, a, hn::Neg(far)), hn::IfThenElseZero(rising, b), hn::IfThenElse(rising, far, a),
-          hn::IfThenZeroElse(rising, b)};
+  // Mostly all 16 receivers agree.
+  const V far = hn::Set(d, 1e8F);
+  if (!hn::AllFalse(d, rising)) {
+    bounds.lo[bounds.lo_count++] = {hn::IfThenElse(rising, a, hn::Neg(far)), hn::IfThenElseZero(rising, b)};
+  }
+  if (!hn::AllTrue(d, rising)) {
+    bounds.hi[bounds.hi_count++] = {hn::IfThenElse(rising, far, a), hn::IfThenZeroElse(rising, b)};
+  }
 }
 
-template <int kEdges>
-HWY_INLINE void hideRows(const MaskBlocker& blocker, const V3& p, const Facing& side, const V3& to_origin,
-                         const V3& lu, const V3& lv, const float* offsets, VU* hidden) {
-  EdgeRows rows[kEdges];
-  for (int k = 0; k < kEdges; ++k) {
-    const vec3& q = blocker.corners[static_cast<std::size_t>(k)];
-    const vec3& next = blocker.corners[static_cast<std::size_t>((k + 1) % kEdges)];
-    rows[k] = edgeRows(sub(set3(q), p), next - q, side.sign, to_origin, lu, lv);
-  }
-  const V last = hn::Set(d, 31.0F);
+/// ORs the intervals between the bounds into the rows.
+template <int kLo, int kHi, int kMax>
+HWY_INLINE void fillRows(const RowBounds<kMax>& bounds, const float* offsets, VU* hidden) {
+  const int lo_count = kLo > 0 ? kLo : bounds.lo_count;
+  const int hi_count = kHi > 0 ? kHi : bounds.hi_count;
   const VU all = hn::Set(du, 0xffffffffU);
-  const hn::Rebind<std::int32_t, D> di;
+  // Adding 1.5 * 2^23 leaves the nearest integer in the low bits: cheaper than a conversion that
+  // minds overflow.
+  constexpr float kMagic = 12582912.0F;
+  const VU magic = hn::BitCast(du, hn::Set(d, kMagic));
   for (int j = 0; j < MaskLight::kRows; ++j) {
     const V row = hn::Set(d, static_cast<float>(j));
-    V lo = hn::Set(d, -1e9F);
-    V hi = hn::Set(d, 1e9F);
-    for (int k = 0; k < kEdges; ++k) {
-      lo = hn::Max(lo, hn::MulAdd(row, rows[k].lo_b, rows[k].lo_a));
-      hi = hn::Min(hi, hn::MulAdd(row, rows[k].hi_b, rows[k].hi_a));
-    }
-    const V offset = hn::Set(d, offsets[j]);
-    lo = hn::Ceil(hn::Max(hn::Sub(lo, offset), hn::Zero(d)));
-    hi = hn::Floor(hn::Min(hn::Sub(hi, offset), last));
-    // Empty intervals and receivers that are not concerned shift by counts in range and are cut.
-    const M some = hn::And(hn::Le(lo, hi), side.active);
-    const VU lo_count = hn::BitCast(du, hn::ConvertTo(di, hn::IfThenElseZero(some, lo)));
-    const VU hi_count = hn::BitCast(du, hn::ConvertTo(di, hn::IfThenElseZero(some, hn::Sub(last, hi))));
-    const VU bits = hn::And(hn::Shl(all, lo_count), hn::Shr(all, hi_count));
-    hidden[j] = hn::Or(hidden[j], hn::IfThenElseZero(hn::RebindMask(du, some), bits));
+    V lo = hn::Zero(d);
+    V hi = hn::Set(d, 32.0F);
+    for (int k = 0; k < lo_count; ++k) lo = hn::Max(lo, hn::MulAdd(row, bounds.lo[k].b, bounds.lo[k].a));
+    for (int k = 0; k < hi_count; ++k) hi = hn::Min(hi, hn::MulAdd(row, bounds.hi[k].b, bounds.hi[k].a));
+    lo = hn::Min(lo, hn::Set(d, 40.0F));
+    hi = hn::Max(hi, hn::Set(d, -8.0F));
+    // Columns i with lo <= i + o <= hi: rounding x + 1/2 is the ceiling, x - 1/2 the floor; ties
+    // are edges that meet a sample exactly. An empty interval leaves no common bit.
+    const V below = hn::Add(hn::Add(lo, hn::Set(d, 0.5F - offsets[j])), hn::Set(d, kMagic));
+    const V above = hn::Add(hn::Sub(hn::Set(d, 31.5F + offsets[j]), hi), hn::Set(d, kMagic));
+    const VU bits = hn::And(shiftUp(all, hn::Sub(hn::BitCast(du, below), magic)),
+                            shiftDown(all, hn::Sub(hn::BitCast(du, above), magic)));
+    hidden[j] = hn::Or(hidden[j], bits);
   }
 }
 
-HWY_INLINE bool allHidden(const MaskLight& light, const VU* hidden) {
+/// Hides what lies inside all edge planes. Returns whether that hides anything from any receiver.
+/// edgeAt(k) gives the plane of edge k.
+template <int kMax, class EdgeAt>
+HWY_INLINE bool hideRows(int count, const EdgeAt& edgeAt, M active, const float* offsets, VU* hidden) {
+  EdgePlane planes[kMax];
+  for (int k = 0; k < count; ++k) {
+    planes[k] = edgeAt(k);
+    const EdgePlane& f = planes[k];
+    // f is linear: its extremes are at corners of the light.
+    const V zero = hn::Zero(d);
+    active = hn::And(active, hn::Gt(hn::Add(f.c0, hn::Add(hn::Max(f.c1, zero), hn::Max(f.c2, zero))), zero));
+    if (hn::AllFalse(d, active)) return false;
+  }
+  M whole = active;
+  for (int k = 0; k < count; ++k) {
+    const EdgePlane& f = planes[k];
+    const V zero = hn::Zero(d);
+    whole = hn::And(whole, hn::Gt(hn::Add(f.c0, hn::Add(hn::Min(f.c1, zero), hn::Min(f.c2, zero))), zero));
+  }
+  if (!hn::AllFalse(d, whole)) {
+    const VU whole_bits = hn::IfThenElseZero(hn::RebindMask(du, whole), hn::Set(du, 0xffffffffU));
+    for (int j = 0; j < MaskLight::kRows; ++j) hidden[j] = hn::Or(hidden[j], whole_bits);
+    active = hn::AndNot(whole, active);
+    if (hn::AllFalse(d, active)) return true;
+  }
+  RowBounds<kMax> bounds;
+  for (int k = 0; k < count; ++k) addBound(planes[k], bounds);
+  // Receivers that are not concerned get an interval that begins beyond the last column.
+  if (bounds.lo_count == 0) bounds.lo[bounds.lo_count++] = {hn::Set(d, -1e8F), hn::Zero(d)};
+  bounds.lo[0] = {hn::IfThenElse(active, bounds.lo[0].a, hn::Set(d, 1e8F)), hn::IfThenElseZero(active, bounds.lo[0].b)};
+  switch (10 * bounds.lo_count + bounds.hi_count) {
+    case 11: fillRows<1, 1>(bounds, offsets, hidden); break;
+    case 12: fillRows<1, 2>(bounds, offsets, hidden); break;
+    case 21: fillRows<2, 1>(bounds, offsets, hidden); break;
+    case 22: fillRows<2, 2>(bounds, offsets, hidden); break;
+    default: fillRows<0, 0>(bounds, offsets, hidden); break;
+  }
+  return true;
+}
+
+/// Receivers that still see some of the light.
+HWY_INLINE M anyVisible(const MaskLight& light, const VU* hidden) {
   VU visible = hn::Zero(du);
   for (int j = 0; j < MaskLight::kRows; ++j) {
     visible = hn::Or(visible, hn::AndNot(hidden[j], hn::Set(du, light.outline[static_cast<std::size_t>(j)])));
   }
-  return hn::AllTrue(du, hn::Eq(visible, hn::Zero(du)));
+  return hn::RebindMask(d, hn::Ne(visible, hn::Zero(du)));
 }
 
 /// Set bits of each byte of a word.
@@ -177,8 +263,8 @@ HWY_INLINE void weighRows(const MaskLight& light, const V3& p, const V3& n, cons
   add(sums.plain_total.data(), hn::Set(d, plain_total));
 }
 
-void AddMask(const MaskLight& light, std::span<const MaskBlocker> blockers, const MaskReceivers& r, float epsilon,
-             MaskSums& sums) {
+void AddMask(const MaskLight& light, std::span<const MaskBlocker* const> blockers, const MaskReceivers& r,
+             float epsilon, MaskSums& sums) {
   float offsets[MaskLight::kRows];
   for (int j = 0; j < MaskLight::kRows; ++j) offsets[j] = MaskLight::rowOffset(j);
   const V3 lu = set3(light.u);
@@ -189,19 +275,27 @@ void AddMask(const MaskLight& light, std::span<const MaskBlocker> blockers, cons
     const V3 to_origin = sub(set3(light.origin), p);
     VU hidden[MaskLight::kRows];
     for (auto& row : hidden) row = hn::Zero(du);
+    const M asked = lanesOf(r, lane);
+    M open = asked;
+    if (hn::AllFalse(d, open)) continue;
     int since_check = 0;
-    for (const MaskBlocker& blocker : blockers) {
+    const auto finished = [&] {
+      if (++since_check < 4) return false;
+      since_check = 0;
+      open = hn::And(asked, anyVisible(light, hidden));
+      return hn::AllFalse(d, open);
+    };
+    for (const MaskBlocker* const one : blockers) {
+      const MaskBlocker& blocker = *one;
       const Facing side = facing(blocker, p, epsilon);
-      if (hn::AllFalse(d, side.active)) continue;
-      switch (blocker.count) {
-        case 3: hideRows<3>(blocker, p, side, to_origin, lu, lv, offsets, hidden); break;
-        case 4: hideRows<4>(blocker, p, side, to_origin, lu, lv, offsets, hidden); break;
-        default: hideRows<5>(blocker, p, side, to_origin, lu, lv, offsets, hidden); break;
-      }
-      if (++since_check == 4) {
-        since_check = 0;
-        if (allHidden(light, hidden)) break;
-      }
+      const M active = hn::And(side.active, open);
+      if (hn::AllFalse(d, active)) continue;
+      const auto edge = [&](int k) HWY_ATTR {
+        const vec3& q = blocker.corners[static_cast<std::size_t>(k)];
+        const vec3& next = blocker.corners[static_cast<std::size_t>((k + 1) % blocker.count)];
+        return edgePlane(sub(set3(q), p), next - q, side.sign, to_origin, lu, lv);
+      };
+      if (hideRows<5>(blocker.count, edge, active, offsets, hidden) && finished()) break;
     }
     weighRows(light, p, n, hidden, lane, sums);
   }
@@ -231,12 +325,14 @@ HWY_INLINE ConePlanes conePlanes(const MaskBlocker& blocker, const V3& p, const 
   return planes;
 }
 
-void AddPoints(const PointLightSamples& points, std::span<const MaskBlocker> blockers, const MaskReceivers& r,
+void AddPoints(const PointLightSamples& points, std::span<const MaskBlocker* const> blockers, const MaskReceivers& r,
                float epsilon, MaskSums& sums) {
   constexpr std::size_t kBlock = 128;
   for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
     const V3 p{hn::LoadU(d, r.x + lane), hn::LoadU(d, r.y + lane), hn::LoadU(d, r.z + lane)};
     const V3 n{hn::LoadU(d, r.nx + lane), hn::LoadU(d, r.ny + lane), hn::LoadU(d, r.nz + lane)};
+    const M asked = lanesOf(r, lane);
+    if (hn::AllFalse(d, asked)) continue;
     V visible = hn::Zero(d);
     V total = hn::Zero(d);
     V plain = hn::Zero(d);
@@ -245,8 +341,10 @@ void AddPoints(const PointLightSamples& points, std::span<const MaskBlocker> blo
       const std::size_t end = std::min(points.size(), start + kBlock);
       VU hidden[kBlock / 32];
       for (auto& word : hidden) word = hn::Zero(du);
-      for (const MaskBlocker& blocker : blockers) {
-        const Facing side = facing(blocker, p, epsilon);
+      for (const MaskBlocker* const one : blockers) {
+        const MaskBlocker& blocker = *one;
+        Facing side = facing(blocker, p, epsilon);
+        side.active = hn::And(side.active, asked);
         if (hn::AllFalse(d, side.active)) continue;
         const ConePlanes planes = conePlanes(blocker, p, side);
         for (std::size_t k = start; k < end; ++k) {
@@ -362,12 +460,12 @@ HWY_EXPORT(AddPoints);
 HWY_EXPORT(Contour);
 HWY_EXPORT(TargetName);
 
-void addMaskVisibility(const MaskLight& light, std::span<const MaskBlocker> blockers, const MaskReceivers& receivers,
-                       float epsilon, MaskSums& sums) {
+void addMaskVisibility(const MaskLight& light, std::span<const MaskBlocker* const> blockers,
+                       const MaskReceivers& receivers, float epsilon, MaskSums& sums) {
   HWY_DYNAMIC_DISPATCH(AddMask)(light, blockers, receivers, epsilon, sums);
 }
 
-void addPointVisibility(const PointLightSamples& points, std::span<const MaskBlocker> blockers,
+void addPointVisibility(const PointLightSamples& points, std::span<const MaskBlocker* const> blockers,
                         const MaskReceivers& receivers, float epsilon, MaskSums& sums) {
   HWY_DYNAMIC_DISPATCH(AddPoints)(points, blockers, receivers, epsilon, sums);
 }

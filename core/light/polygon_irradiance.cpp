@@ -81,6 +81,66 @@ double polygonIrradiance(std::span<const dvec3> outline, const dvec3& p, const d
   return sum.value();
 }
 
+namespace {
+
+/// Integrals from psi0 to psi1 over 1, cos and sin divided by s - k cos(psi), k >= 0, s > k. With
+/// Y = sin / (s + q - k cos) and q = sqrt(s^2 - k^2), psi/q + 2/q atan(k Y) is continuous, and
+/// nothing cancels as k goes to 0.
+struct ArcIntegrals {
+  double one, cosine, sine;
+};
+
+ArcIntegrals arcIntegrals(double s, double k, double psi0, double psi1) {
+  const double q = std::sqrt((s - k) * (s + k));
+  const auto turn = [&](double psi) {
+    const double y = std::sin(psi) / (s + q - k * std::cos(psi));
+    return k * std::abs(y) < 1e-8 ? y : std::atan(k * y) / k;
+  };
+  const double turned = turn(psi1) - turn(psi0);
+  const double below = s - k * std::cos(psi0);
+  const double x = (std::cos(psi0) - std::cos(psi1)) / below;
+  ArcIntegrals i{};
+  i.one = (psi1 - psi0 + 2.0 * k * turned) / q;
+  i.cosine = (psi1 - psi0) * k / (q * (s + q)) + 2.0 * s / q * turned;
+  i.sine = k * std::abs(x) < 1e-8 ? x : std::log1p(k * x) / k;
+  return i;
+}
+
+/// E/L of the part of a disk above the receiver's horizon, which cuts it: Lambert's contour integral
+/// -1/2 n . (r x dr)/r^2 along the arc in closed form, and along the chord. c: from the receiver to
+/// the disk's center.
+double segmentIrradiance(const dvec3& c, const dvec3& axis, double radius, const dvec3& n) {
+  // The arc is centred on the highest point of the rim.
+  const dvec3 up = glm::normalize(n - glm::dot(n, axis) * axis);
+  const dvec3 side = glm::cross(axis, up);
+  const double share = -glm::dot(n, c) / (radius * glm::dot(n, up));
+  const double half = std::acos(std::clamp(share, -1.0, 1.0));
+  // phi on the rim: r = c + radius (cos phi up + sin phi side); r^2 = s - k cos(phi - phi0).
+  const double cu = glm::dot(c, up);
+  const double cs = glm::dot(c, side);
+  const double s = glm::dot(c, c) + radius * radius;
+  const double k = 2.0 * radius * std::hypot(cu, cs);
+  const double phi0 = std::atan2(-cs, -cu);
+  if (s - k <= 1e-14 * s) return 0.0;  // on the rim itself
+  const ArcIntegrals i = arcIntegrals(s, k, -half - phi0, half - phi0);
+  // n . (r x r') = radius (n x c) . u' + radius^2 n . axis, u' = -sin phi up + cos phi side.
+  const dvec3 g = glm::cross(n, c);
+  const double gu = glm::dot(g, up);
+  const double gs = glm::dot(g, side);
+  const double cosine = gs * std::cos(phi0) - gu * std::sin(phi0);
+  const double sine = -gs * std::sin(phi0) - gu * std::cos(phi0);
+  const double arc = radius * (cosine * i.cosine + sine * i.sine) + radius * radius * glm::dot(n, axis) * i.one;
+  const dvec3 last = c + radius * (std::cos(half) * up + std::sin(half) * side);
+  const dvec3 first = c + radius * (std::cos(half) * up - std::sin(half) * side);
+  const dvec3 cross = glm::cross(last, first);
+  const double length = glm::length(cross);
+  const double angle = std::atan2(length, glm::dot(last, first));
+  const double chord = length > 0.0 ? angle * glm::dot(n, cross) / length : 0.0;
+  return std::max(0.0, -0.5 * (arc + chord));
+}
+
+}  // namespace
+
 double diskIrradiance(const dvec3& center, const dvec3& axis, double radius, const dvec3& p, const dvec3& n) {
   const dvec3 d = p - center;
   const double z = glm::dot(d, axis);
@@ -93,19 +153,7 @@ double diskIrradiance(const dvec3& center, const dvec3& axis, double radius, con
   const double reach = radius * std::sqrt(std::max(0.0, 1.0 - cos_tilt * cos_tilt));
   if (height <= -reach) return 0.0;
   if (height < reach) {
-    // Cut by the horizon: the contour of a fine polygon of the same area.
-    constexpr int kCorners = 256;
-    const double step = 2.0 * kPi / kCorners;
-    const double polygon_radius = radius * std::sqrt(step / std::sin(step));
-    dvec3 t;
-    dvec3 b;
-    orthonormalBasis(axis, t, b);
-    ContourSum sum(n);
-    for (int i = 0; i < kCorners; ++i) {
-      const double phi = step * i;
-      sum.vertex(center - p + polygon_radius * (std::cos(phi) * t + std::sin(phi) * b));
-    }
-    return sum.value();
+    return segmentIrradiance(center - p, axis, radius, n);
   }
   // Entirely above the horizon: E/L = n . vector irradiance. With s = r^2 + z^2 + a^2 and
   // q = sqrt(s^2 - 4 a^2 r^2): along -axis pi/2 (1 - (r^2 + z^2 - a^2)/q), along -radial

@@ -59,12 +59,16 @@ void setOutlineBits(const Emitter& e, MaskLight& mask) {
   dvec3 b;
   orthonormalBasis(e.normal, t, b);
   std::vector<dvec2> flat;
-  for (const dvec3& c : e.outline) flat.emplace_back(glm::dot(c - e.position, t), glm::dot(c - e.position, b));
+  const auto inPlane = [&](const dvec3& v) { return dvec2(glm::dot(v, t), glm::dot(v, b)); };
+  for (const dvec3& c : e.outline) flat.push_back(inPlane(c - e.position));
+  const dvec2 origin = inPlane(dvec3(mask.origin) - e.position);
+  const dvec2 u = inPlane(dvec3(mask.u)) / double{MaskLight::kColumns};
+  const dvec2 v = inPlane(dvec3(mask.v)) / double{MaskLight::kRows};
   for (int j = 0; j < MaskLight::kRows; ++j) {
     std::uint32_t bits = 0;
     for (int i = 0; i < MaskLight::kColumns; ++i) {
-      const dvec3 d = dvec3(mask.sample(j, i)) - e.position;
-      const dvec2 q(glm::dot(d, t), glm::dot(d, b));
+      const double a = i + static_cast<double>(MaskLight::rowOffset(j));
+      const dvec2 q = origin + a * u + (j + a / MaskLight::kColumns) * v;
       const bool in = e.disk ? glm::dot(q, q) <= e.radius * e.radius : insideOutline(flat, q);
       if (in) bits |= 1U << static_cast<unsigned>(i);
     }
@@ -153,30 +157,36 @@ PreparedLight::PreparedLight(const Emitter& emitter) : emitter_(emitter) {
   exact_ = e.lambertian && (e.kind == EmitterKind::planar || e.kind == EmitterKind::sphere ||
                             e.kind == EmitterKind::tube ||
                             (e.kind == EmitterKind::mesh && e.triangle_areas.size() <= kExactTriangles));
-  if (form_ == Form::planar) preparePlanar();
+  if (form_ == Form::planar) {
+    const Frame f = boundingFrame(e);
+    cell_diagonal_ = static_cast<float>(0.25 * std::sqrt(glm::dot(f.u, f.u) + glm::dot(f.v, f.v)));
+  }
   if (form_ == Form::points) prepareSamples();
 }
 
-void PreparedLight::preparePlanar() {
+std::span<const MaskLight> PreparedLight::masks(int level) const {
+  const auto l = static_cast<std::size_t>(level);
+  std::call_once(masks_->once[l], [&] { makeMasks(level); });
+  return masks_->levels[l];
+}
+
+void PreparedLight::makeMasks(int level) const {
   const Frame f = boundingFrame(emitter_);
   const bool whole = isParallelogram(emitter_, f);
   const double lu = glm::length(f.u);
   const double lv = glm::length(f.v);
-  cell_diagonal_ = static_cast<float>(0.25 * std::sqrt(lu * lu + lv * lv));
-  for (int level = 0; level < kLevels; ++level) {
-    const double cell = std::max(lu, lv) / (1 << level);
-    const int nu = std::max(1, static_cast<int>(std::ceil(lu / cell - 1e-6)));
-    const int nv = std::max(1, static_cast<int>(std::ceil(lv / cell - 1e-6)));
-    for (int j = 0; j < nv; ++j) {
-      for (int i = 0; i < nu; ++i) {
-        MaskLight mask = makeMaskLight(vec3(f.origin + f.u * (1.0 * i / nu) + f.v * (1.0 * j / nv)),
-                                       vec3(f.u / (1.0 * nu)), vec3(f.v / (1.0 * nv)), vec3(emitter_.normal), true);
-        if (!whole) {
-          setOutlineBits(emitter_, mask);
-          mask.finish();
-        }
-        masks_[static_cast<std::size_t>(level)].push_back(mask);
+  const double cell = std::max(lu, lv) / (1 << level);
+  const int nu = std::max(1, static_cast<int>(std::ceil(lu / cell - 1e-6)));
+  const int nv = std::max(1, static_cast<int>(std::ceil(lv / cell - 1e-6)));
+  for (int j = 0; j < nv; ++j) {
+    for (int i = 0; i < nu; ++i) {
+      MaskLight mask = makeMaskLight(vec3(f.origin + f.u * (1.0 * i / nu) + f.v * (1.0 * j / nv)),
+                                     vec3(f.u / (1.0 * nu)), vec3(f.v / (1.0 * nv)), vec3(emitter_.normal), true);
+      if (!whole) {
+        setOutlineBits(emitter_, mask);
+        mask.finish();
       }
+      masks_->levels[static_cast<std::size_t>(level)].push_back(mask);
     }
   }
 }

@@ -5,6 +5,8 @@
 #include "core/light/light_mask.h"
 
 #include <array>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 namespace soffit::light {
@@ -28,7 +30,8 @@ class PreparedLight {
   [[nodiscard]] Form form() const { return form_; }
 
   /// Bit images that cover the planar light, level 0 whole, each further level halves the cells.
-  [[nodiscard]] std::span<const MaskLight> masks(int level) const { return masks_[static_cast<std::size_t>(level)]; }
+  /// Made when first asked for; any thread may ask.
+  [[nodiscard]] std::span<const MaskLight> masks(int level) const;
   /// The level at which cells are at most half as large as `distance` (m), or the finest.
   [[nodiscard]] int maskLevel(float distance) const;
 
@@ -46,12 +49,17 @@ class PreparedLight {
   void unoccluded(const MaskReceivers& receivers, float distance, double* lux) const;
 
  private:
-  void preparePlanar();
+  /// Made on demand; shared by copies.
+  struct Masks {
+    std::array<std::once_flag, kLevels> once;
+    std::array<std::vector<MaskLight>, kLevels> levels;
+  };
+  void makeMasks(int level) const;
   void prepareSamples();
 
   Emitter emitter_;
   Form form_ = Form::points;
-  std::array<std::vector<MaskLight>, kLevels> masks_;
+  std::shared_ptr<Masks> masks_ = std::make_shared<Masks>();
   float cell_diagonal_ = 0.0F;  ///< of level 0
   std::array<PointLightSamples, kSampleLevels> samples_;
   bool exact_ = false;  ///< a closed form exists and is used

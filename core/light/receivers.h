@@ -56,6 +56,12 @@ Receivers makeReceivers(std::span<const vec3> positions, std::span<const vec3> n
 Receivers makeReceivers(std::span<const vec3> positions, std::span<const vec3> normals,
                         std::span<const std::uint32_t> order, std::span<const std::uint32_t> offsets);
 
+/// The same grouped for culling alone: a k-d tree over position and normal together, so that every
+/// group of 16 is small and looks one way, and every group but the last is full. Points that lie
+/// close but look elsewhere may share a cluster. What shadows cost depends on this: a group that
+/// reaches over three desks meets the blockers of all three.
+Receivers makeCompactReceivers(std::span<const vec3> positions, std::span<const vec3> normals);
+
 /// A partition of points by region and normal class, then by distance and position (k-d split),
 /// into sets of at most `cluster_size`. Writes the order and the offsets of the clusters.
 void clusterPoints(std::span<const vec3> positions, std::span<const vec3> normals, std::uint32_t cluster_size,

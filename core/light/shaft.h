@@ -27,10 +27,14 @@ class Shaft {
   /// False when all corners are outside (or on) one plane.
   [[nodiscard]] bool touches(std::span<const vec3> corners) const;
 
-  [[nodiscard]] int planeCount() const { return count_; }
-  [[nodiscard]] const vec4& plane(int i) const { return planes_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] const Box& from() const { return from_; }
+  /// (n, d): outside is n.x >= d, d already reduced by the tolerance.
+  [[nodiscard]] std::span<const vec4> planes() const {
+    return {planes_.data(), static_cast<std::size_t>(count_)};
+  }
 
  private:
+  Box from_;
   std::array<vec4, kMaxPlanes> planes_{};  // (n, d), d already reduced by the tolerance
   int count_ = 0;
   float tolerance_ = 0.0F;

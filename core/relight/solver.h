@@ -77,6 +77,7 @@ class Solver {
  private:
   using Planes = std::array<std::vector<float>, 3>;
   void factor();
+  void groupForShadows();
   void addCluster(const Column& column, const vec4& weight, std::size_t cluster, Planes& total) const;
   void coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const;
   void firstBounce(const Column& column, std::span<const float> open, std::vector<vec4>& y1, Planes& e1) const;
@@ -92,6 +93,8 @@ class Solver {
 
   std::shared_ptr<const transfer::StaticScene> scene_;
   std::shared_ptr<const transfer::Operators> operators_;
+  light::Receivers direct_points_;             ///< the texels again, grouped for shadows
+  std::vector<std::uint32_t> direct_slot_;     ///< per slot of the texels: where in direct_points_
   Reflectances reflectances_;
   std::vector<transfer::NodeSolver> nodes_;   ///< one per distinct channel
   std::array<std::size_t, 3> node_of_{0, 0, 0};

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/transfer/static_scene.h"
 
-#include "core/geometry/components.h"
 #include "core/base/parallel.h"
+#include "core/geometry/components.h"
+#include "core/geometry/convex_faces.h"
 #include "core/transfer/charts.h"
 #include "core/transfer/hemisphere.h"
 
@@ -40,15 +41,48 @@ bool isRoom(const geometry::Mesh& mesh, const geometry::Components& components, 
   return false;
 }
 
-std::vector<std::uint8_t> sidesOf(const geometry::Mesh& mesh, std::span<const vec3> inside) {
+std::vector<std::uint8_t> sidesOf(const geometry::Mesh& mesh, const geometry::Components& components,
+                                  std::span<const vec3> inside) {
   std::vector<std::uint8_t> sides(mesh.triangles.size(), kBothSides);
-  const geometry::Components components = geometry::findComponents(mesh);
   for (std::size_t i = 0; i < components.list.size(); ++i) {
     const geometry::Component& c = components.list[i];
     if (!c.solid() || isRoom(mesh, components, i, inside)) continue;
     for (const std::uint32_t t : c.triangles) sides[t] = c.outward() ? kFront : kBack;
   }
   return sides;
+}
+
+/// Toward the front; zero for a triangle without area.
+vec3 unitNormal(const vec3& a, const vec3& b, const vec3& c) {
+  const dvec3 n = glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
+  const double length = glm::length(n);
+  return length > 0.0 ? vec3(n / length) : vec3(0.0F);
+}
+
+/// One face as a blocker; its normal is zero when it has no area.
+light::Blocker blockerOf(const geometry::ConvexFace& face, std::uint8_t sides) {
+  light::Blocker blocker;
+  blocker.corners = face.corners;
+  blocker.count = static_cast<std::uint8_t>(face.count);
+  if (sides == kBack) std::reverse(blocker.corners.begin(), blocker.corners.begin() + face.count);
+  if (face.count == 3) blocker.corners[3] = blocker.corners[2];
+  const auto& c = blocker.corners;
+  const vec3 first = unitNormal(c[0], c[1], c[2]);
+  blocker.normal = first != vec3(0.0F) ? first : unitNormal(c[0], c[2], c[3]);
+  blocker.solid = sides != kBothSides;
+  return blocker;
+}
+
+/// The mesh as few convex faces; a component's triangles share their sides.
+light::Blockers blockersOf(const geometry::Mesh& mesh, const geometry::Components& components,
+                           std::span<const std::uint8_t> sides) {
+  std::vector<light::Blocker> blockers;
+  for (const geometry::ConvexFace& face : geometry::mergeConvexFaces(mesh, components).faces) {
+    const std::uint32_t triangle = components.list[face.component].triangles.front();
+    const light::Blocker blocker = blockerOf(face, sides[triangle]);
+    if (blocker.normal != vec3(0.0F)) blockers.push_back(blocker);
+  }
+  return light::Blockers(blockers);
 }
 
 /// Takes the sides of charts away whose every probe sees the void: 64 rays from each of the cells
@@ -83,33 +117,18 @@ void dropVoidSides(StaticScene& scene) {
 
 std::shared_ptr<const StaticScene> makeStaticScene(std::shared_ptr<const geometry::Mesh> mesh,
                                                    std::span<const vec3> inside) {
-  std::vector<std::uint8_t> sides = sidesOf(*mesh, inside);
+  const geometry::Components components = geometry::findComponents(*mesh);
+  std::vector<std::uint8_t> sides = sidesOf(*mesh, components, inside);
   std::vector<vec3> normals(mesh->triangles.size(), vec3(0.0F));
-  std::vector<light::Blocker> blockers;
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const uvec3& t = mesh->triangles[i];
-    const vec3& a = mesh->positions[t.x];
-    const vec3& b = mesh->positions[t.y];
-    const vec3& c = mesh->positions[t.z];
-    const dvec3 n = glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
-    const double length = glm::length(n);
-    if (length <= 0.0) continue;
-    normals[i] = vec3(n / length);
-    light::Blocker blocker;
-    blocker.corners = {a, b, c, c};
-    blocker.normal = normals[i];
-    blocker.solid = sides[i] != kBothSides;
-    if (sides[i] == kBack) {
-      std::swap(blocker.corners[1], blocker.corners[2]);
-      blocker.corners[3] = blocker.corners[2];
-      blocker.normal = -blocker.normal;
-    }
-    blockers.push_back(blocker);
+    normals[i] = unitNormal(mesh->positions[t.x], mesh->positions[t.y], mesh->positions[t.z]);
   }
+  light::Blockers blockers = blockersOf(*mesh, components, sides);
   const float size = mesh->bounds().diagonal();
   StaticScene scene{mesh,
                     geometry::RayCaster(mesh->positions, mesh->triangles),
-                    light::Blockers(std::move(blockers)),
+                    std::move(blockers),
                     std::move(normals),
                     std::move(sides),
                     std::min(1e-4F, 2e-5F * size)};
