@@ -2,7 +2,6 @@
 #include "core/relight/solver.h"
 
 #include "core/base/parallel.h"
-#include "core/transfer/kernels.h"
 
 #include <algorithm>
 #include <chrono>
@@ -47,27 +46,52 @@ Solver::Solver(std::shared_ptr<const transfer::StaticScene> scene, std::shared_p
 
 void Solver::setMaterials(std::span<const scene::Material> materials) {
   reflectances_ = makeReflectances(operators_->texels, materials);
+  makePalettes();
   factor();
 }
 
 void Solver::factor() {
-  nodes_.clear();
+  nodes_.reset();
+  channels_ = 0;
   if (operators_->nodes.functions == 0) return;
-  std::vector<std::size_t> distinct;
+  std::vector<std::span<const float>> distinct;
   for (std::size_t c = 0; c < 3; ++c) {
     node_of_[c] = distinct.size();
     for (std::size_t k = 0; k < distinct.size(); ++k) {
-      if (reflectances_.rho[distinct[k]] == reflectances_.rho[c]) node_of_[c] = k;
+      if (std::ranges::equal(distinct[k], reflectances_.rho[c])) node_of_[c] = k;
     }
-    if (node_of_[c] == distinct.size()) distinct.push_back(c);
+    if (node_of_[c] == distinct.size()) distinct.emplace_back(reflectances_.rho[c]);
   }
-  std::vector<std::unique_ptr<transfer::NodeSolver>> made(distinct.size());
-  parallelFor(distinct.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      made[k] = std::make_unique<transfer::NodeSolver>(operators_->nodes, operators_->area, reflectances_.rho[distinct[k]]);
+  channels_ = distinct.size();
+  nodes_.emplace(operators_->nodes, operators_->area, distinct);
+}
+
+void Solver::makePalettes() {
+  const auto& clusters = operators_->texels.receivers.clusters;
+  const auto& rho = reflectances_.rho;
+  palettes_.assign(clusters.size(), {});
+  place_.assign(operators_->texels.slotCount(), 0);
+  parallelFor(clusters.size(), 32, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      transfer::Palette& palette = palettes_[i];
+      for (std::uint32_t s = clusters[i].begin; s < clusters[i].end; ++s) {
+        std::uint32_t k = 0;
+        while (k < palette.size && (palette.rho[0][k] != rho[0][s] || palette.rho[1][k] != rho[1][s] ||
+                                    palette.rho[2][k] != rho[2][s])) {
+          ++k;
+        }
+        if (k == transfer::Palette::kMost) {
+          palette.size = 0;
+          break;
+        }
+        if (k == palette.size) {
+          for (std::size_t c = 0; c < 3; ++c) palette.rho[c][k] = rho[c][s];
+          ++palette.size;
+        }
+        place_[s] = static_cast<std::uint8_t>(k);
+      }
     }
   });
-  for (auto& solver : made) nodes_.push_back(std::move(*solver));
 }
 
 void Solver::groupForShadows() {
@@ -132,22 +156,24 @@ void Solver::conserve(const dvec3& sent, std::vector<vec4>& y) const {
 void Solver::firstBounce(const Column& column, std::span<const float> open, std::vector<vec4>& y1, Planes& e1) const {
   const transfer::Operators& op = *operators_;
   const auto& clusters = op.texels.receivers.clusters;
-  std::vector<vec4> x(op.texels.slotCount());
+  std::vector<float> lux(op.texels.slotCount());
   std::vector<dvec3> sent_by(clusters.size(), dvec3(0.0));
   parallelFor(clusters.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (column.lit[i] == 0) continue;  // these taps are skipped
       for (std::uint32_t s = clusters[i].begin; s < clusters[i].end; ++s) {
         const float e = directAt(column, open, s);
-        x[s] = vec4(reflectances_.rho[0][s] * e, reflectances_.rho[1][s] * e, reflectances_.rho[2][s] * e, 0.0F);
-        const float a = op.area[s] * op.kept[s];
-        sent_by[i] += dvec3(a * x[s].x, a * x[s].y, a * x[s].z);
+        lux[s] = transfer::TintedLight::pack(e, place_[s]);
+        const float a = op.area[s] * op.kept[s] * e;
+        sent_by[i] += dvec3(a * reflectances_.rho[0][s], a * reflectances_.rho[1][s], a * reflectances_.rho[2][s]);
       }
     }
   });
+  const transfer::TintedLight light{
+      lux, {reflectances_.rho[0], reflectances_.rho[1], reflectances_.rho[2]}, palettes_, column.lit};
   y1.resize(op.lists.lists.size());
   parallelFor(y1.size(), 64, [&](std::size_t begin, std::size_t end) {
-    transfer::gather(op.lists, begin, x, column.lit, std::span(y1).subspan(begin, end - begin));
+    transfer::gatherTinted(op.lists, begin, light, std::span(y1).subspan(begin, end - begin));
   });
   dvec3 sent(0.0);
   for (const dvec3& s : sent_by) sent += s;
@@ -167,26 +193,22 @@ void Solver::firstBounce(const Column& column, std::span<const float> open, std:
 
 void Solver::solveNodes(const Planes& radiosity, Planes& coefficients, Planes& sent) const {
   const transfer::Operators& op = *operators_;
-  parallelFor(nodes_.size(), 1, [&](std::size_t begin, std::size_t end) {
+  transfer::NodeSolver::Vectors b(channels_, std::vector<float>(op.nodes.stride, 0.0F));
+  transfer::NodeSolver::Vectors e;
+  parallelFor(channels_, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      std::size_t channel = 0;
-      while (node_of_[channel] != k) ++channel;
-      sent[channel].assign(op.nodes.stride, 0.0F);
-      coefficients[channel].assign(op.nodes.stride, 0.0F);
-      transfer::restrictToNodes(op.nodes, op.area, radiosity[channel], sent[channel]);
-      nodes_[k].solve(sent[channel], coefficients[channel]);
-      std::vector<float> more(op.nodes.stride, 0.0F);
-      nodes_[k].reflect(coefficients[channel], more);
-      for (std::size_t f = 0; f < more.size(); ++f) sent[channel][f] += more[f];
+      transfer::restrictToNodes(op.nodes, op.area, radiosity[colourOf(k)], b[k]);
     }
   });
-  for (std::size_t c = 1; c < 3; ++c) {
-    for (std::size_t earlier = 0; earlier < c; ++earlier) {
-      if (node_of_[earlier] != node_of_[c]) continue;
-      coefficients[c] = coefficients[earlier];
-      sent[c] = sent[earlier];
-      break;
-    }
+  nodes_->solve(b, e);
+  std::vector<float> more(op.nodes.stride, 0.0F);
+  for (std::size_t k = 0; k < channels_; ++k) {
+    nodes_->reflect(k, e[k], more);
+    for (std::size_t f = 0; f < more.size(); ++f) b[k][f] += more[f];
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    coefficients[c] = e[node_of_[c]];
+    sent[c] = b[node_of_[c]];
   }
 }
 
@@ -259,7 +281,7 @@ void Solver::indirect(Column& column, std::span<const float> open, std::vector<v
   Planes b1;
   parallelFor(3, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
-      if (c > 0 && node_of_[c] == node_of_[c - 1]) continue;  // an equal channel is not computed twice
+      if (colourOf(node_of_[c]) != c) continue;  // an equal channel is not computed twice
       b1[c].resize(slots);
       for (std::size_t s = 0; s < slots; ++s) {
         const float shown = open.empty() ? 1.0F : open[s];

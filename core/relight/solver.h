@@ -3,13 +3,16 @@
 
 #include "core/light/direct_stage.h"
 #include "core/relight/reflectance.h"
+#include "core/transfer/kernels.h"
 #include "core/transfer/node_solver.h"
 #include "core/transfer/operators.h"
 #include "core/transfer/static_scene.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -78,6 +81,11 @@ class Solver {
   using Planes = std::array<std::vector<float>, 3>;
   void factor();
   void groupForShadows();
+  void makePalettes();
+  /// The first colour channel that a distinct channel stands for.
+  [[nodiscard]] std::size_t colourOf(std::size_t distinct) const {
+    return static_cast<std::size_t>(std::find(node_of_.begin(), node_of_.end(), distinct) - node_of_.begin());
+  }
   void addCluster(const Column& column, const vec4& weight, std::size_t cluster, Planes& total) const;
   void coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const;
   void firstBounce(const Column& column, std::span<const float> open, std::vector<vec4>& y1, Planes& e1) const;
@@ -96,8 +104,11 @@ class Solver {
   light::Receivers direct_points_;             ///< the texels again, grouped for shadows
   std::vector<std::uint32_t> direct_slot_;     ///< per slot of the texels: where in direct_points_
   Reflectances reflectances_;
-  std::vector<transfer::NodeSolver> nodes_;   ///< one per distinct channel
-  std::array<std::size_t, 3> node_of_{0, 0, 0};
+  std::optional<transfer::NodeSolver> nodes_;  ///< of the distinct channels; none without nodes
+  std::size_t channels_ = 0;                   ///< distinct ones
+  std::array<std::size_t, 3> node_of_{0, 0, 0};  ///< colour channel -> distinct channel
+  std::vector<transfer::Palette> palettes_;    ///< per cluster
+  std::vector<std::uint8_t> place_;            ///< per slot: in its cluster's palette
   std::vector<std::uint32_t> filled_;         ///< slots that show another's light
   std::vector<float> kept_moment_;            ///< per node function: sum A kept phi
 };

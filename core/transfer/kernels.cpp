@@ -5,6 +5,8 @@
 
 #include <hwy/highway.h>
 
+#include <bit>
+
 #include "core/base/parallel.h"
 #include "core/transfer/kernels.h"
 
@@ -16,19 +18,116 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::CappedTag<float, 16>;
 constexpr D d;
 
-void MultiplyRows(const float* matrix, std::size_t stride, std::size_t rows, const float* x, float* y) {
+template <int kVectors>
+void MultiplyVectors(const float* matrix, std::size_t stride, std::size_t rows, const float* const* x,
+                     float* const* y, std::size_t offset) {
   const std::size_t lanes = hn::Lanes(d);
+  using V = hn::Vec<D>;
   for (std::size_t r = 0; r < rows; ++r) {
     const float* row = matrix + r * stride;
-    auto sum0 = hn::Zero(d);
-    auto sum1 = hn::Zero(d);
+    V sum0[kVectors];
+    V sum1[kVectors];
+    for (int i = 0; i < kVectors; ++i) sum0[i] = sum1[i] = hn::Zero(d);
     std::size_t c = 0;
     for (; c + 2 * lanes <= stride; c += 2 * lanes) {
-      sum0 = hn::MulAdd(hn::LoadU(d, row + c), hn::LoadU(d, x + c), sum0);
-      sum1 = hn::MulAdd(hn::LoadU(d, row + c + lanes), hn::LoadU(d, x + c + lanes), sum1);
+      const V m0 = hn::LoadU(d, row + c);
+      const V m1 = hn::LoadU(d, row + c + lanes);
+      for (int i = 0; i < kVectors; ++i) {
+        sum0[i] = hn::MulAdd(m0, hn::LoadU(d, x[i] + c), sum0[i]);
+        sum1[i] = hn::MulAdd(m1, hn::LoadU(d, x[i] + c + lanes), sum1[i]);
+      }
     }
-    for (; c < stride; c += lanes) sum0 = hn::MulAdd(hn::LoadU(d, row + c), hn::LoadU(d, x + c), sum0);
-    y[r] = hn::GetLane(hn::SumOfLanes(d, hn::Add(sum0, sum1)));
+    for (; c < stride; c += lanes) {
+      const V m = hn::LoadU(d, row + c);
+      for (int i = 0; i < kVectors; ++i) sum0[i] = hn::MulAdd(m, hn::LoadU(d, x[i] + c), sum0[i]);
+    }
+    for (int i = 0; i < kVectors; ++i) {
+      y[i][offset + r] = hn::GetLane(hn::SumOfLanes(d, hn::Add(sum0[i], sum1[i])));
+    }
+  }
+}
+
+void MultiplyRows(const float* matrix, std::size_t stride, std::size_t rows, const float* const* x, float* const* y,
+                  std::size_t offset, std::size_t vectors) {
+  switch (vectors) {
+    case 1: MultiplyVectors<1>(matrix, stride, rows, x, y, offset); break;
+    case 2: MultiplyVectors<2>(matrix, stride, rows, x, y, offset); break;
+    case 3: MultiplyVectors<3>(matrix, stride, rows, x, y, offset); break;
+    default: break;
+  }
+}
+
+/// Entries at..at+lanes of which `left` count: slots within the cluster, and rays.
+struct Taps {
+  hn::Vec<hn::Rebind<std::int32_t, D>> slot;
+  hn::Vec<D> rays;
+};
+
+HWY_INLINE Taps tapsAt(const GatherLists& lists, std::size_t at, std::size_t left) {
+  const hn::Rebind<std::int32_t, D> di;
+  const hn::Rebind<std::uint16_t, D> d16;
+  const std::size_t lanes = hn::Lanes(d);
+  HWY_ALIGN std::uint16_t few[16];
+  const std::uint16_t* from = reinterpret_cast<const std::uint16_t*>(&lists.entries[at]);
+  if (at + lanes > lists.entries.size()) {  // the last lists: nothing may be read beyond
+    for (std::size_t i = 0; i < lanes; ++i) few[i] = i < left ? from[i] : std::uint16_t{0};
+    from = few;
+  }
+  auto packed = hn::PromoteTo(di, hn::LoadU(d16, from));
+  if (left < lanes) packed = hn::IfThenElseZero(hn::FirstN(di, left), packed);
+  return {hn::And(packed, hn::Set(di, 255)), hn::ConvertTo(d, hn::ShiftRight<8>(packed))};
+}
+
+void GatherTinted(const GatherLists& lists, std::size_t first, const TintedLight& light, float* y, std::size_t count) {
+  using V = hn::Vec<D>;
+  const std::size_t lanes = hn::Lanes(d);
+  const hn::Rebind<std::int32_t, D> di;
+  for (std::size_t k = 0; k < count; ++k) {
+    const GatherLists::List& list = lists.lists[first + k];
+    V red = hn::Zero(d);
+    V green = hn::Zero(d);
+    V blue = hn::Zero(d);
+    for (std::uint32_t b = list.first_block; b < list.first_block + list.block_count; ++b) {
+      const GatherLists::Block& block = lists.blocks[b];
+      if (light.lit[block.cluster] == 0) continue;
+      const float* const lux = light.lux.data() + block.base;
+      const Palette& palette = light.palettes[block.cluster];
+      if (palette.size == 1) {
+        V sum = hn::Zero(d);
+        for (std::size_t e = 0; e < block.count; e += lanes) {
+          const Taps taps = tapsAt(lists, block.first + e, block.count - e);
+          sum = hn::MulAdd(taps.rays, hn::GatherIndex(d, lux, taps.slot), sum);
+        }
+        red = hn::MulAdd(sum, hn::Set(d, palette.rho[0][0]), red);
+        green = hn::MulAdd(sum, hn::Set(d, palette.rho[1][0]), green);
+        blue = hn::MulAdd(sum, hn::Set(d, palette.rho[2][0]), blue);
+      } else if (palette.size != 0 && palette.size <= lanes) {
+        const V rho_r = hn::LoadU(d, palette.rho[0].data());
+        const V rho_g = hn::LoadU(d, palette.rho[1].data());
+        const V rho_b = hn::LoadU(d, palette.rho[2].data());
+        for (std::size_t e = 0; e < block.count; e += lanes) {
+          const Taps taps = tapsAt(lists, block.first + e, block.count - e);
+          const V value = hn::GatherIndex(d, lux, taps.slot);
+          const auto place = hn::IndicesFromVec(d, hn::And(hn::BitCast(di, value), hn::Set(di, 15)));
+          const V sent = hn::Mul(taps.rays, value);
+          red = hn::MulAdd(sent, hn::TableLookupLanes(rho_r, place), red);
+          green = hn::MulAdd(sent, hn::TableLookupLanes(rho_g, place), green);
+          blue = hn::MulAdd(sent, hn::TableLookupLanes(rho_b, place), blue);
+        }
+      } else {
+        for (std::size_t e = 0; e < block.count; e += lanes) {
+          const Taps taps = tapsAt(lists, block.first + e, block.count - e);
+          const V sent = hn::Mul(taps.rays, hn::GatherIndex(d, lux, taps.slot));
+          red = hn::MulAdd(sent, hn::GatherIndex(d, light.rho[0].data() + block.base, taps.slot), red);
+          green = hn::MulAdd(sent, hn::GatherIndex(d, light.rho[1].data() + block.base, taps.slot), green);
+          blue = hn::MulAdd(sent, hn::GatherIndex(d, light.rho[2].data() + block.base, taps.slot), blue);
+        }
+      }
+    }
+    y[4 * k] = list.scale * hn::GetLane(hn::SumOfLanes(d, red));
+    y[4 * k + 1] = list.scale * hn::GetLane(hn::SumOfLanes(d, green));
+    y[4 * k + 2] = list.scale * hn::GetLane(hn::SumOfLanes(d, blue));
+    y[4 * k + 3] = 0.0F;
   }
 }
 
@@ -149,16 +248,25 @@ HWY_AFTER_NAMESPACE();
 namespace soffit::transfer {
 
 HWY_EXPORT(MultiplyRows);
+HWY_EXPORT(GatherTinted);
 HWY_EXPORT(GatherRgb);
 HWY_EXPORT(GatherNodes);
 HWY_EXPORT(Interpolate);
 HWY_EXPORT(AddScaled);
 
-void multiplyRows(std::span<const float> matrix, std::size_t stride, std::size_t rows, std::span<const float> x,
-                  std::span<float> y) {
+void multiplyRows(std::span<const float> matrix, std::size_t stride, std::size_t rows,
+                  std::span<const float* const> x, std::span<float* const> y) {
   parallelFor(rows, 128, [&](std::size_t begin, std::size_t end) {
-    HWY_DYNAMIC_DISPATCH(MultiplyRows)(matrix.data() + begin * stride, stride, end - begin, x.data(), y.data() + begin);
+    HWY_DYNAMIC_DISPATCH(MultiplyRows)(matrix.data() + begin * stride, stride, end - begin, x.data(), y.data(), begin,
+                                       x.size());
   });
+}
+
+void gatherTinted(const GatherLists& lists, std::size_t first, const TintedLight& light, std::span<vec4> y) {
+  static_assert(sizeof(GatherLists::Entry) == 2 && std::endian::native == std::endian::little,
+                "entries are read as 16-bit words: the slot below, the count above");
+  if (y.empty()) return;
+  HWY_DYNAMIC_DISPATCH(GatherTinted)(lists, first, light, &y[0].x, y.size());
 }
 
 void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x, std::span<const std::uint8_t> lit_of,

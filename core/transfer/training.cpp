@@ -116,8 +116,8 @@ TrainingFields makeTrainingFields(const StaticScene& scene, const Operators& ope
   std::vector<float> lux(slots);
   std::vector<std::uint8_t> lit(texels.receivers.clusters.size());
   std::vector<float> rho(slots);
-  std::vector<float> b0(operators.nodes.stride, 0.0F);
-  std::vector<float> e(operators.nodes.stride, 0.0F);
+  NodeSolver::Vectors b0(1, std::vector<float>(operators.nodes.stride, 0.0F));
+  NodeSolver::Vectors e;
   std::vector<float> x(slots);
   // A handful of reflectance sets is enough: each needs a factorisation of the nodes.
   constexpr std::size_t kSets = 8;
@@ -129,7 +129,8 @@ TrainingFields makeTrainingFields(const StaticScene& scene, const Operators& ope
     if (t % per_set == 0) {
       const std::vector<float> by_material = drawReflectances(materials, settings.seed, static_cast<int>(t));
       for (std::size_t s = 0; s < slots; ++s) rho[s] = by_material[texels.material[s]];
-      solver = std::make_unique<NodeSolver>(operators.nodes, operators.area, rho);
+      const std::span<const float> channel(rho);
+      solver = std::make_unique<NodeSolver>(operators.nodes, operators.area, std::span(&channel, 1));
     }
     // Lights that see nothing are drawn again.
     for (int attempt = 0; attempt < 8; ++attempt) {
@@ -140,9 +141,9 @@ TrainingFields makeTrainingFields(const StaticScene& scene, const Operators& ope
       if (std::any_of(lit.begin(), lit.end(), [](std::uint8_t l) { return l != 0; })) break;
     }
     for (std::size_t s = 0; s < slots; ++s) x[s] = rho[s] * lux[operators.fill_from[s]];
-    restrictToNodes(operators.nodes, operators.area, x, b0);
+    restrictToNodes(operators.nodes, operators.area, x, b0[0]);
     solver->solve(b0, e);
-    prolongFromNodes(operators.nodes, e, x);
+    prolongFromNodes(operators.nodes, e[0], x);
     for (std::size_t s = 0; s < slots; ++s) {
       direct[s * count + t] = lux[operators.fill_from[s]];
       reflectance[s * count + t] = rho[s];

@@ -89,11 +89,13 @@ float use(const Operators& o, std::size_t triangles) {
            o.texels.receivers.x[o.texels.receivers.slot_of[o.texels.receivers.point_of[s]]] +
            static_cast<float>(o.nodes.patches[o.nodes.patch_of[s]].first + of.cluster_of[s]);
   }
-  std::vector<float> coefficients(o.nodes.stride, 0.0F);
-  std::vector<float> indirect(o.nodes.stride, 0.0F);
-  restrictToNodes(o.nodes, o.area, plane, coefficients);
-  NodeSolver(o.nodes, o.area, std::vector<float>(slots, 0.5F)).solve(coefficients, indirect);
-  prolongFromNodes(o.nodes, indirect, plane);
+  NodeSolver::Vectors coefficients(1, std::vector<float>(o.nodes.stride, 0.0F));
+  NodeSolver::Vectors indirect;
+  restrictToNodes(o.nodes, o.area, plane, coefficients[0]);
+  const std::vector<float> grey(slots, 0.5F);
+  const std::span<const float> channel(grey);
+  NodeSolver(o.nodes, o.area, std::span(&channel, 1)).solve(coefficients, indirect);
+  prolongFromNodes(o.nodes, indirect[0], plane);
   return sum + (plane.empty() ? 0.0F : plane[0]);
 }
 
