@@ -4,63 +4,13 @@
 #define HWY_TARGET_INCLUDE "core/light/mask_kernel.cpp"
 #include <hwy/foreach_target.h>
 
-#include <hwy/contrib/math/math-inl.h>
-#include <hwy/highway.h>
-
-#include "core/light/light_mask.h"
-
-#include <algorithm>
-#include <array>
 #include <span>
+
+#include "core/light/lanes-inl.h"
+#include "core/light/light_mask.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace soffit::light::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-// 16 receivers are handled in pieces of at most 16 lanes.
-using D = hn::CappedTag<float, 16>;
-using DU = hn::RebindToUnsigned<D>;
-using V = hn::Vec<D>;
-using VU = hn::Vec<DU>;
-using M = hn::Mask<D>;
-constexpr D d;
-constexpr DU du;
-
-struct V3 {
-  V x, y, z;
-};
-
-HWY_INLINE V3 set3(const vec3& a) { return {hn::Set(d, a.x), hn::Set(d, a.y), hn::Set(d, a.z)}; }
-HWY_INLINE V3 sub(const V3& a, const V3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-HWY_INLINE V dot(const V3& a, const V3& b) { return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z))); }
-HWY_INLINE V3 cross(const V3& a, const V3& b) {
-  return {hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
-          hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
-}
-
-/// Lanes [lane, lane + Lanes(d)) of r.lanes as a mask.
-HWY_INLINE M lanesOf(const MaskReceivers& r, std::size_t lane) {
-  const std::uint32_t bits = r.lanes >> lane;
-  const std::uint8_t packed[8] = {static_cast<std::uint8_t>(bits & 255U), static_cast<std::uint8_t>(bits >> 8U)};
-  return hn::LoadMaskBits(d, packed);
-}
-
-/// Which receivers a blocker can hide anything from, and the sign that turns v_k x v_k+1 inward.
-struct Facing {
-  M active;
-  V sign;
-  V height;
-};
-
-HWY_INLINE Facing facing(const MaskBlocker& blocker, const V3& p, float epsilon) {
-  const V height = hn::Sub(dot(set3(blocker.normal), p), hn::Set(d, blocker.d));
-  const V eps = hn::Set(d, epsilon);
-  const M front = hn::Gt(height, eps);
-  const M back = hn::Lt(height, hn::Neg(eps));
-  const M active = blocker.solid ? front : hn::Or(front, back);
-  // Counter-clockwise seen from the receiver: the cross products point out of the cone.
-  return {active, hn::IfThenElse(front, hn::Set(d, -1.0F), hn::Set(d, 1.0F)), height};
-}
 
 /// An edge as seen on the light: f(a, b) = c0 + a c1 + b c2 is positive where the edge's plane
 /// leaves the place (a, b) on the blocker's side (design.md section 3, step 4).
@@ -301,152 +251,6 @@ void AddMask(const MaskLight& light, std::span<const MaskBlocker* const> blocker
   }
 }
 
-/// Half-spaces through p and a blocker's edges, and beyond its plane, for the point form.
-struct ConePlanes {
-  V3 m[6];
-  V c[6];
-  int count;
-};
-
-HWY_INLINE ConePlanes conePlanes(const MaskBlocker& blocker, const V3& p, const Facing& side) {
-  ConePlanes planes;
-  planes.count = blocker.count + 1;
-  for (int k = 0; k < blocker.count; ++k) {
-    const vec3& q = blocker.corners[static_cast<std::size_t>(k)];
-    const vec3& next = blocker.corners[static_cast<std::size_t>((k + 1) % blocker.count)];
-    V3 m = cross(sub(set3(q), p), set3(next - q));
-    m = {hn::Mul(m.x, side.sign), hn::Mul(m.y, side.sign), hn::Mul(m.z, side.sign)};
-    planes.m[k] = m;
-    planes.c[k] = hn::Neg(dot(m, p));
-  }
-  const V3 n = set3(blocker.normal);
-  planes.m[blocker.count] = {hn::Mul(n.x, side.sign), hn::Mul(n.y, side.sign), hn::Mul(n.z, side.sign)};
-  planes.c[blocker.count] = hn::Neg(hn::Mul(side.sign, hn::Set(d, blocker.d)));
-  return planes;
-}
-
-void AddPoints(const PointLightSamples& points, std::span<const MaskBlocker* const> blockers, const MaskReceivers& r,
-               float epsilon, MaskSums& sums) {
-  constexpr std::size_t kBlock = 128;
-  for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
-    const V3 p{hn::LoadU(d, r.x + lane), hn::LoadU(d, r.y + lane), hn::LoadU(d, r.z + lane)};
-    const V3 n{hn::LoadU(d, r.nx + lane), hn::LoadU(d, r.ny + lane), hn::LoadU(d, r.nz + lane)};
-    const M asked = lanesOf(r, lane);
-    if (hn::AllFalse(d, asked)) continue;
-    V visible = hn::Zero(d);
-    V total = hn::Zero(d);
-    V plain = hn::Zero(d);
-    float plain_total = 0.0F;
-    for (std::size_t start = 0; start < points.size(); start += kBlock) {
-      const std::size_t end = std::min(points.size(), start + kBlock);
-      VU hidden[kBlock / 32];
-      for (auto& word : hidden) word = hn::Zero(du);
-      for (const MaskBlocker* const one : blockers) {
-        const MaskBlocker& blocker = *one;
-        Facing side = facing(blocker, p, epsilon);
-        side.active = hn::And(side.active, asked);
-        if (hn::AllFalse(d, side.active)) continue;
-        const ConePlanes planes = conePlanes(blocker, p, side);
-        for (std::size_t k = start; k < end; ++k) {
-          const V3 x{hn::Set(d, points.x[k]), hn::Set(d, points.y[k]), hn::Set(d, points.z[k])};
-          V least = hn::Add(dot(planes.m[0], x), planes.c[0]);
-          for (int e = 1; e < planes.count; ++e) {
-            least = hn::Min(least, hn::Add(dot(planes.m[e], x), planes.c[e]));
-          }
-          const M inside = hn::And(side.active, hn::Gt(least, hn::Zero(d)));
-          const std::size_t bit = k - start;
-          hidden[bit / 32] = hn::Or(hidden[bit / 32], hn::IfThenElseZero(hn::RebindMask(du, inside),
-                                                                         hn::Set(du, 1U << (bit % 32))));
-        }
-      }
-      for (std::size_t k = start; k < end; ++k) {
-        const std::size_t bit = k - start;
-        const V3 x{hn::Set(d, points.x[k]), hn::Set(d, points.y[k]), hn::Set(d, points.z[k])};
-        const V3 to = sub(x, p);
-        const V r2 = dot(to, to);
-        const V cos_p = hn::Max(dot(n, to), hn::Zero(d));
-        V weight;
-        if (points.nx[k] == 0.0F && points.ny[k] == 0.0F && points.nz[k] == 0.0F) {
-          weight = hn::Div(cos_p, hn::Max(hn::Mul(r2, hn::Sqrt(r2)), hn::Set(d, 1e-30F)));
-        } else {
-          const V3 m{hn::Set(d, points.nx[k]), hn::Set(d, points.ny[k]), hn::Set(d, points.nz[k])};
-          const V cos_l = hn::Max(hn::Neg(dot(m, to)), hn::Zero(d));
-          weight = hn::Div(hn::Mul(cos_p, cos_l), hn::Max(hn::Mul(r2, r2), hn::Set(d, 1e-30F)));
-        }
-        weight = hn::Mul(weight, hn::Set(d, points.weight[k]));
-        const VU one = hn::Set(du, 1U << (bit % 32));
-        const auto seen = hn::RebindMask(d, hn::Eq(hn::And(hidden[bit / 32], one), hn::Zero(du)));
-        visible = hn::Add(visible, hn::IfThenElseZero(seen, weight));
-        total = hn::Add(total, weight);
-        plain = hn::Add(plain, hn::IfThenElseZero(seen, hn::Set(d, points.weight[k])));
-        plain_total += points.weight[k];
-      }
-    }
-    const auto add = [&](float* to, const V& value) {
-      hn::StoreU(hn::Add(hn::LoadU(d, to + lane), value), d, to + lane);
-    };
-    add(sums.visible.data(), visible);
-    add(sums.total.data(), total);
-    add(sums.plain_visible.data(), plain);
-    add(sums.plain_total.data(), hn::Set(d, plain_total));
-  }
-}
-
-void Contour(std::span<const dvec3> outline, const MaskReceivers& r, double* value, std::uint32_t& clipped) {
-  using DD = hn::CappedTag<double, 8>;
-  constexpr DD dd;
-  using VD = hn::Vec<DD>;
-  struct VD3 {
-    VD x, y, z;
-  };
-  clipped = 0;
-  const auto load = [&](const float* from, std::size_t lane) {
-    const hn::Rebind<float, DD> df;
-    return hn::PromoteTo(dd, hn::LoadU(df, from + lane));
-  };
-  const auto dot3 = [](const VD3& a, const VD3& b) {
-    return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
-  };
-  for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(dd)) {
-    const VD3 p{load(r.x, lane), load(r.y, lane), load(r.z, lane)};
-    const VD3 n{load(r.nx, lane), load(r.ny, lane), load(r.nz, lane)};
-    const auto relative = [&](const dvec3& c) {
-      return VD3{hn::Sub(hn::Set(dd, c.x), p.x), hn::Sub(hn::Set(dd, c.y), p.y), hn::Sub(hn::Set(dd, c.z), p.z)};
-    };
-    VD3 a = relative(outline.back());
-    VD length_a = hn::Sqrt(dot3(a, a));
-    VD sum = hn::Zero(dd);
-    VD lowest = hn::Set(dd, 1e300);
-    VD highest = hn::Set(dd, -1e300);
-    for (const dvec3& corner : outline) {
-      const VD3 b = relative(corner);
-      const VD length_b = hn::Sqrt(dot3(b, b));
-      const VD height = dot3(n, b);
-      lowest = hn::Min(lowest, height);
-      highest = hn::Max(highest, height);
-      const VD3 c{hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
-                  hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
-      const VD s = hn::Sqrt(dot3(c, c));
-      // tan(g/2) = s / (|a||b| + a.b); s = 0 contributes nothing.
-      const VD t = hn::Div(s, hn::MulAdd(length_a, length_b, dot3(a, b)));
-      const VD g = hn::Mul(hn::Set(dd, 2.0), hn::Atan(dd, t));
-      const VD term = hn::Div(hn::Mul(g, dot3(n, c)), s);
-      sum = hn::Sub(sum, hn::IfThenElseZero(hn::Gt(s, hn::Zero(dd)), term));
-      a = b;
-      length_a = length_b;
-    }
-    const VD e = hn::IfThenElseZero(hn::Gt(highest, hn::Zero(dd)),
-                                    hn::Max(hn::Mul(sum, hn::Set(dd, 0.5)), hn::Zero(dd)));
-    hn::StoreU(e, dd, value + lane);
-    const auto cut = hn::And(hn::Le(lowest, hn::Zero(dd)), hn::Gt(highest, hn::Zero(dd)));
-    double flags[8];
-    hn::StoreU(hn::IfThenElseZero(cut, hn::Set(dd, 1.0)), dd, flags);
-    for (std::size_t i = 0; i < hn::Lanes(dd); ++i) {
-      if (flags[i] != 0.0) clipped |= 1U << (lane + i);
-    }
-  }
-}
-
 const char* TargetName() { return hwy::TargetName(HWY_TARGET); }
 
 }  // namespace soffit::light::HWY_NAMESPACE
@@ -456,23 +260,11 @@ HWY_AFTER_NAMESPACE();
 namespace soffit::light {
 
 HWY_EXPORT(AddMask);
-HWY_EXPORT(AddPoints);
-HWY_EXPORT(Contour);
 HWY_EXPORT(TargetName);
 
 void addMaskVisibility(const MaskLight& light, std::span<const MaskBlocker* const> blockers,
                        const MaskReceivers& receivers, float epsilon, MaskSums& sums) {
   HWY_DYNAMIC_DISPATCH(AddMask)(light, blockers, receivers, epsilon, sums);
-}
-
-void addPointVisibility(const PointLightSamples& points, std::span<const MaskBlocker* const> blockers,
-                        const MaskReceivers& receivers, float epsilon, MaskSums& sums) {
-  HWY_DYNAMIC_DISPATCH(AddPoints)(points, blockers, receivers, epsilon, sums);
-}
-
-void contourIrradiance16(std::span<const dvec3> outline, const MaskReceivers& receivers, double* value,
-                         std::uint32_t& clipped) {
-  HWY_DYNAMIC_DISPATCH(Contour)(outline, receivers, value, clipped);
 }
 
 const char* simdTargetName() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }
