@@ -2,6 +2,7 @@
 #include "core/design/surface_receivers.h"
 
 #include "core/math/rng.h"
+#include "core/transfer/exposure.h"
 #include "core/transfer/texels.h"
 
 #include <algorithm>
@@ -82,7 +83,10 @@ std::vector<SurfaceReceiver> drawReceivers(const relight::Solver& solver, std::s
   for (std::size_t i = 0; i < most && out.size() < count; ++i) {
     const SurfaceReceiver r = receiverAt(solver.scene(), lit, rng);
     const std::uint32_t slot = slotOf(solver, r);
-    if (slot != transfer::kNoTexel && op.area[slot] > 0.0F) out.push_back(r);
+    if (slot == transfer::kNoTexel || op.area[slot] <= 0.0F) continue;
+    const transfer::StaticScene& scene = solver.scene();
+    if (transfer::isCovered(*scene.mesh, scene.sides, scene.caster, vec3(r.position), vec3(r.normal))) continue;
+    out.push_back(r);
   }
   return out;
 }

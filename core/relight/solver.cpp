@@ -28,7 +28,7 @@ Solver::Solver(std::shared_ptr<const transfer::StaticScene> scene, std::shared_p
                std::span<const scene::Material> materials)
     : scene_(std::move(scene)), operators_(std::move(operators)) {
   setMaterials(materials);
-  groupForShadows();
+  shadow_groups_ = transfer::makeShadowGroups(operators_->texels, operators_->fill_from);
   for (std::uint32_t s = 0; s < operators_->fill_from.size(); ++s) {
     if (operators_->fill_from[s] != s) filled_.push_back(s);
   }
@@ -94,43 +94,21 @@ void Solver::makePalettes() {
   });
 }
 
-void Solver::groupForShadows() {
-  // Invalid texels show their neighbour's light: none of their own is computed.
-  const light::Receivers& receivers = operators_->texels.receivers;
-  const auto& fill_from = operators_->fill_from;
-  std::vector<vec3> positions;
-  std::vector<vec3> normals;
-  std::vector<std::uint32_t> index(receivers.slotCount(), 0);
-  for (const std::uint32_t slot : receivers.slot_of) {
-    if (fill_from[slot] != slot) continue;
-    index[slot] = static_cast<std::uint32_t>(positions.size());
-    positions.push_back(receivers.position(slot));
-    normals.push_back(receivers.normal(slot));
-  }
-  direct_points_ = light::makeCompactReceivers(positions, normals);
-  direct_slot_.resize(receivers.slotCount());
-  for (std::size_t s = 0; s < direct_slot_.size(); ++s) {
-    // Padding repeats a point of its cluster.
-    const std::uint32_t from = fill_from[receivers.slot_of[receivers.point_of[s]]];
-    direct_slot_[s] = direct_points_.slot_of[index[from]];
-  }
-}
-
 void Solver::direct(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies, Column& column,
                     light::DirectCounts* counts, StageTimes* times) const {
   Lap lap;
   const light::Receivers& receivers = operators_->texels.receivers;
   column.direct.resize(receivers.slotCount());
   column.lit.resize(receivers.clusters.size());
-  std::vector<float> lux(direct_points_.slotCount());
-  std::vector<std::uint8_t> lit(direct_points_.clusters.size());
-  light::directIlluminance(light::PreparedLight(emitter), direct_points_, scene_->blockers,
+  std::vector<float> lux(shadow_groups_.points.slotCount());
+  std::vector<std::uint8_t> lit(shadow_groups_.points.clusters.size());
+  light::directIlluminance(light::PreparedLight(emitter), shadow_groups_.points, scene_->blockers,
                            {.epsilon = scene_->epsilon, .bodies = bodies}, lux, lit, counts);
   parallelFor(receivers.clusters.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       float most = 0.0F;
       for (std::uint32_t s = receivers.clusters[i].begin; s < receivers.clusters[i].end; ++s) {
-        column.direct[s] = lux[direct_slot_[s]];
+        column.direct[s] = lux[shadow_groups_.place[s]];
         most = std::max(most, column.direct[s]);
       }
       column.lit[i] = most > 0.0F ? 1 : 0;

@@ -6,6 +6,7 @@
 #include "core/transfer/kernels.h"
 #include "core/transfer/node_solver.h"
 #include "core/transfer/operators.h"
+#include "core/transfer/shadow_groups.h"
 #include "core/transfer/static_scene.h"
 
 #include <algorithm>
@@ -80,7 +81,6 @@ class Solver {
  private:
   using Planes = std::array<std::vector<float>, 3>;
   void factor();
-  void groupForShadows();
   void makePalettes();
   /// The first colour channel that a distinct channel stands for.
   [[nodiscard]] std::size_t colourOf(std::size_t distinct) const {
@@ -101,8 +101,7 @@ class Solver {
 
   std::shared_ptr<const transfer::StaticScene> scene_;
   std::shared_ptr<const transfer::Operators> operators_;
-  light::Receivers direct_points_;             ///< the texels again, grouped for shadows
-  std::vector<std::uint32_t> direct_slot_;     ///< per slot of the texels: where in direct_points_
+  transfer::ShadowGroups shadow_groups_;
   Reflectances reflectances_;
   std::optional<transfer::NodeSolver> nodes_;  ///< of the distinct channels; none without nodes
   std::size_t channels_ = 0;                   ///< distinct ones

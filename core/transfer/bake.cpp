@@ -58,7 +58,7 @@ FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, con
                         settings.seed * 15485863U + s, near, scratch, hits);
         std::copy(hits.slots.begin(), hits.slots.end(), first.slots.begin() + static_cast<std::ptrdiff_t>(s * rays));
         const int total = static_cast<int>(rays);
-        first.valid[s] = hits.inside * 10 <= total ? 1 : 0;
+        first.valid[s] = texels.area[s] > 0.0F && hits.inside * 10 <= total ? 1 : 0;
         operators.kept[s] = static_cast<float>(total - hits.missed - hits.inside) / static_cast<float>(total);
       }
       job.report("tracing surfaces", static_cast<double>(++done) / static_cast<double>(clusters));

@@ -2,6 +2,7 @@
 #include "core/transfer/texels.h"
 
 #include "core/transfer/cell_grid.h"
+#include "core/transfer/exposure.h"
 #include "core/transfer/regions.h"
 
 #include <algorithm>
@@ -129,6 +130,9 @@ Texels makeTexels(const geometry::Mesh& mesh, std::span<const std::uint8_t> side
       addCurvedChart(mesh, out.charts, chart, draft, out);
     }
     out.grids.push_back(grid);
+  }
+  if (caster != nullptr) {
+    measureExposure(mesh, sides, *caster, out, {draft.position, draft.normal, draft.area, draft.triangle});
   }
   const std::vector<std::uint32_t> regions = findRegions(out, draft.position, draft.normal, caster);
   out.receivers = light::makeReceivers(draft.position, draft.normal, kClusterSize, regions);

@@ -20,7 +20,7 @@ inline constexpr std::uint32_t kNoTexel = 0xffffffffU;
 /// index is its slot. Padding slots repeat a texel with area 0.
 struct Texels {
   light::Receivers receivers;             ///< positions, normals, clusters of at most 256 slots
-  std::vector<float> area;                ///< m^2 per slot; 0 for padding
+  std::vector<float> area;                ///< m^2 per slot, exposed; 0 for padding and covered texels
   std::vector<std::uint32_t> material;    ///< per slot
   std::vector<std::uint32_t> triangle;    ///< per slot: a mesh triangle the texel's point lies on
   std::vector<vec2> uv;                   ///< texture coordinates at the point; (0,0) without
@@ -57,8 +57,9 @@ struct Texels {
 /// Cells that a chart's edge cuts to less than a twentieth join a neighbour; the sum of texel
 /// areas equals the area of all lit sides up to rounding.
 ///
-/// caster  rays between neighbouring cells, just above the surface, find where walls stand on it:
-///         no cluster reaches through a wall. Null: charts are not divided.
+/// caster  rays find what part of each texel is covered by other things (exposure.h: its area counts
+///         the exposed part alone, 0 when nothing is), and, from cell to cell just above the
+///         surface, where walls stand on it: no cluster reaches through one. Null: neither.
 Texels makeTexels(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides, double cell,
                   const geometry::RayCaster* caster);
 

@@ -6,6 +6,7 @@
 #include "core/math/rng.h"
 #include "core/math/sampling.h"
 #include "core/transfer/kernels.h"
+#include "core/transfer/shadow_groups.h"
 #include "core/transfer/node_solver.h"
 
 #include <algorithm>
@@ -113,8 +114,10 @@ TrainingFields makeTrainingFields(const StaticScene& scene, const Operators& ope
   const std::size_t materials =
       1 + static_cast<std::size_t>(*std::max_element(texels.material.begin(), texels.material.end()));
   LightDrawer drawer(scene, operators, settings.seed);
+  const ShadowGroups groups = makeShadowGroups(texels, operators.fill_from);
+  std::vector<float> grouped(groups.points.slotCount());
+  std::vector<std::uint8_t> lit(groups.points.clusters.size());
   std::vector<float> lux(slots);
-  std::vector<std::uint8_t> lit(texels.receivers.clusters.size());
   std::vector<float> rho(slots);
   NodeSolver::Vectors b0(1, std::vector<float>(operators.nodes.stride, 0.0F));
   NodeSolver::Vectors e;
@@ -136,18 +139,21 @@ TrainingFields makeTrainingFields(const StaticScene& scene, const Operators& ope
     for (int attempt = 0; attempt < 8; ++attempt) {
       const auto emitter = light::makeEmitter(drawer.draw());
       if (!emitter) continue;
-      light::directIlluminance(light::PreparedLight(*emitter), texels.receivers, scene.blockers,
-                               {.epsilon = scene.epsilon, .bodies = {}}, lux, lit);
+      light::directIlluminance(light::PreparedLight(*emitter), groups.points, scene.blockers,
+                               {.epsilon = scene.epsilon, .bodies = {}}, grouped, lit);
       if (std::any_of(lit.begin(), lit.end(), [](std::uint8_t l) { return l != 0; })) break;
     }
-    for (std::size_t s = 0; s < slots; ++s) x[s] = rho[s] * lux[operators.fill_from[s]];
+    for (std::size_t s = 0; s < slots; ++s) {
+      lux[s] = grouped[groups.place[s]];
+      x[s] = rho[s] * lux[s];
+    }
     restrictToNodes(operators.nodes, operators.area, x, b0[0]);
     solver->solve(b0, e);
     prolongFromNodes(operators.nodes, e[0], x);
     for (std::size_t s = 0; s < slots; ++s) {
-      direct[s * count + t] = lux[operators.fill_from[s]];
+      direct[s * count + t] = lux[s];
       reflectance[s * count + t] = rho[s];
-      first[s * count + t] = rho[s] * std::max(0.0F, lux[operators.fill_from[s]] + x[s]);
+      first[s * count + t] = rho[s] * std::max(0.0F, lux[s] + x[s]);
     }
   }
   parallelFor(slots, 64, [&](std::size_t begin, std::size_t end) {
