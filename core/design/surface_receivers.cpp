@@ -85,7 +85,9 @@ std::vector<SurfaceReceiver> drawReceivers(const relight::Solver& solver, std::s
     const std::uint32_t slot = slotOf(solver, r);
     if (slot == transfer::kNoTexel || op.area[slot] <= 0.0F) continue;
     const transfer::StaticScene& scene = solver.scene();
-    if (transfer::isCovered(*scene.mesh, scene.sides, scene.caster, vec3(r.position), vec3(r.normal))) continue;
+    const transfer::Cover cover = transfer::coverOf(*scene.mesh, scene.sides, scene.caster, vec3(r.position),
+                                                    vec3(r.normal), 0.0F);
+    if (cover == transfer::Cover::matter) continue;
     out.push_back(r);
   }
   return out;

@@ -58,7 +58,8 @@ void Blockers::collect(const Shaft& shaft, std::vector<BoxTree::Part>& out) cons
     BoxTree::Part part = out[i];
     for (std::uint32_t bits = part.bits; bits != 0; bits &= bits - 1) {
       const int bit = std::countr_zero(bits);
-      const CullResult found = cullBlock(blocks_[part.index(bit)], shaft.planes(), shaft.from(), nullptr);
+      const CullResult found =
+          cullBlock(blocks_[part.index(bit)], shaft.planes(), shaft.from(), nullptr);
       if (found.whole == 0) part.bits &= ~(1U << static_cast<unsigned>(bit));
     }
     if (part.bits != 0) out[kept++] = part;

@@ -19,8 +19,8 @@ namespace soffit::light {
 struct Blocker {
   std::array<vec3, 4> corners{};
   std::uint8_t count = 3;
-  bool solid = false;   ///< face of a closed, outward-wound solid: only its front blocks
-  vec3 normal{0.0F};    ///< unit, toward the front
+  bool solid = false;  ///< face of a closed, outward-wound solid: only its front blocks
+  vec3 normal{0.0F};   ///< unit, toward the front
 
   [[nodiscard]] std::span<const vec3> outline() const { return {corners.data(), count}; }
   [[nodiscard]] Box bounds() const {
@@ -57,9 +57,9 @@ class Blockers {
             const vec4* cut, Found& out) const;
 
  private:
-  std::vector<MaskBlocker> items_;   ///< in the order of the tree
-  std::vector<CullBlock> blocks_;    ///< the same, 16 by 16
-  BoxTree tree_;                     ///< of the blocks
+  std::vector<MaskBlocker> items_;  ///< in the order of the tree
+  std::vector<CullBlock> blocks_;   ///< the same, 16 by 16
+  BoxTree tree_;                    ///< of the blocks
 };
 
 }  // namespace soffit::light

@@ -33,7 +33,8 @@ class BoxTree {
   }
 
  private:
-  void visit(std::size_t level, std::size_t block, const Shaft& shaft, std::vector<Part>& out) const;
+  void visit(std::size_t level, std::size_t block, const Shaft& shaft,
+             std::vector<Part>& out) const;
 
   std::vector<std::vector<BoxBlock>> levels_;  ///< 0: of items; k + 1: of the blocks of level k
 };

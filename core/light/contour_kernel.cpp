@@ -15,7 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace soffit::light::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-void Contour(std::span<const dvec3> outline, const MaskReceivers& r, double* value, std::uint32_t& clipped) {
+void Contour(std::span<const dvec3> outline, const MaskReceivers& r, double* value,
+             std::uint32_t& clipped) {
   using DD = hn::CappedTag<double, 8>;
   constexpr DD dd;
   using VD = hn::Vec<DD>;
@@ -34,7 +35,8 @@ void Contour(std::span<const dvec3> outline, const MaskReceivers& r, double* val
     const VD3 p{load(r.x, lane), load(r.y, lane), load(r.z, lane)};
     const VD3 n{load(r.nx, lane), load(r.ny, lane), load(r.nz, lane)};
     const auto relative = [&](const dvec3& c) {
-      return VD3{hn::Sub(hn::Set(dd, c.x), p.x), hn::Sub(hn::Set(dd, c.y), p.y), hn::Sub(hn::Set(dd, c.z), p.z)};
+      return VD3{hn::Sub(hn::Set(dd, c.x), p.x), hn::Sub(hn::Set(dd, c.y), p.y),
+                 hn::Sub(hn::Set(dd, c.z), p.z)};
     };
     VD3 a = relative(outline.back());
     VD length_a = hn::Sqrt(dot3(a, a));
@@ -47,7 +49,8 @@ void Contour(std::span<const dvec3> outline, const MaskReceivers& r, double* val
       const VD height = dot3(n, b);
       lowest = hn::Min(lowest, height);
       highest = hn::Max(highest, height);
-      const VD3 c{hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
+      const VD3 c{hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)),
+                  hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
                   hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
       const VD s = hn::Sqrt(dot3(c, c));
       // tan(g/2) = s / (|a||b| + a.b); s = 0 contributes nothing.
@@ -78,8 +81,8 @@ namespace soffit::light {
 
 HWY_EXPORT(Contour);
 
-void contourIrradiance16(std::span<const dvec3> outline, const MaskReceivers& receivers, double* value,
-                         std::uint32_t& clipped) {
+void contourIrradiance16(std::span<const dvec3> outline, const MaskReceivers& receivers,
+                         double* value, std::uint32_t& clipped) {
   HWY_DYNAMIC_DISPATCH(Contour)(outline, receivers, value, clipped);
 }
 

@@ -31,8 +31,9 @@ std::uint32_t Boxes(const BoxBlock& block, std::span<const vec4> planes) {
       const V x = hn::Load(d, plane.x > 0 ? &block.lo[0][lane] : &block.hi[0][lane]);
       const V y = hn::Load(d, plane.y > 0 ? &block.lo[1][lane] : &block.hi[1][lane]);
       const V z = hn::Load(d, plane.z > 0 ? &block.lo[2][lane] : &block.hi[2][lane]);
-      const V least = hn::MulAdd(hn::Set(d, plane.x), x,
-                                 hn::MulAdd(hn::Set(d, plane.y), y, hn::Mul(hn::Set(d, plane.z), z)));
+      const V least =
+          hn::MulAdd(hn::Set(d, plane.x), x,
+                     hn::MulAdd(hn::Set(d, plane.y), y, hn::Mul(hn::Set(d, plane.z), z)));
       stays = hn::And(stays, hn::Lt(least, hn::Set(d, plane.w)));
       if (hn::AllFalse(d, stays)) break;
     }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Vectors of 16 receivers, for the kernels: included once per instruction set (Highway).
+// Vectors of 16 receivers, for the kernels: included once per instruction set, after
+// hwy/highway.h.
 #if defined(SOFFIT_LIGHT_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SOFFIT_LIGHT_LANES_INL_H
 #undef SOFFIT_LIGHT_LANES_INL_H
 #else
 #define SOFFIT_LIGHT_LANES_INL_H
 #endif
-
-#include <hwy/highway.h>
 
 #include "core/light/light_mask.h"
 
@@ -28,9 +27,15 @@ struct V3 {
   V x, y, z;
 };
 
-HWY_INLINE V3 set3(const vec3& a) { return {hn::Set(d, a.x), hn::Set(d, a.y), hn::Set(d, a.z)}; }
-HWY_INLINE V3 sub(const V3& a, const V3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-HWY_INLINE V dot(const V3& a, const V3& b) { return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z))); }
+HWY_INLINE V3 set3(const vec3& a) {
+  return {hn::Set(d, a.x), hn::Set(d, a.y), hn::Set(d, a.z)};
+}
+HWY_INLINE V3 sub(const V3& a, const V3& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE V dot(const V3& a, const V3& b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
 HWY_INLINE V3 cross(const V3& a, const V3& b) {
   return {hn::NegMulAdd(a.z, b.y, hn::Mul(a.y, b.z)), hn::NegMulAdd(a.x, b.z, hn::Mul(a.z, b.x)),
           hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
@@ -39,7 +44,8 @@ HWY_INLINE V3 cross(const V3& a, const V3& b) {
 /// Lanes [lane, lane + Lanes(d)) of r.lanes as a mask.
 HWY_INLINE M lanesOf(const MaskReceivers& r, std::size_t lane) {
   const std::uint32_t bits = r.lanes >> lane;
-  const std::uint8_t packed[8] = {static_cast<std::uint8_t>(bits & 255U), static_cast<std::uint8_t>(bits >> 8U)};
+  const std::uint8_t packed[8] = {static_cast<std::uint8_t>(bits & 255U),
+                                  static_cast<std::uint8_t>(bits >> 8U)};
   return hn::LoadMaskBits(d, packed);
 }
 

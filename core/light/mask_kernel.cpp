@@ -4,6 +4,8 @@
 #define HWY_TARGET_INCLUDE "core/light/mask_kernel.cpp"
 #include <hwy/foreach_target.h>
 
+#include <hwy/highway.h>
+
 #include <span>
 
 #include "core/light/lanes-inl.h"
@@ -18,13 +20,14 @@ struct EdgePlane {
   V c0, c1, c2;
 };
 
-HWY_INLINE EdgePlane edgePlane(const V3& v, const vec3& edge, const V& sign, const V3& to_origin, const V3& lu,
-                               const V3& lv) {
+HWY_INLINE EdgePlane edgePlane(const V3& v, const vec3& edge, const V& sign, const V3& to_origin,
+                               const V3& lu, const V3& lv) {
   const V3 m = cross(v, set3(edge));
   return {hn::Mul(sign, dot(m, to_origin)), hn::Mul(sign, dot(m, lu)), hn::Mul(sign, dot(m, lv))};
 }
 
-/// Shifts by any count: what leaves the word is gone. (Other instruction sets take counts modulo 32.)
+/// Shifts by any count: what leaves the word is gone. (Other instruction sets take counts
+/// modulo 32.)
 HWY_INLINE VU shiftUp(const VU& bits, const VU& count) {
 #if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
   return hn::Shl(bits, count);
@@ -61,7 +64,8 @@ HWY_INLINE void addBound(const EdgePlane& f, RowBounds<kMax>& bounds) {
   // means the row is all in or all out: a bounded slope of either sign keeps that decision, and
   // keeps T below 1e8, which still is an integer of 32 bits.
   const V e1 = hn::Add(f.c1, c2);
-  const V least = hn::MulAdd(hn::Add(hn::Abs(f.c0), hn::Abs(f.c2)), hn::Set(d, 1e-6F), hn::Set(d, 1e-30F));
+  const V least =
+      hn::MulAdd(hn::Add(hn::Abs(f.c0), hn::Abs(f.c2)), hn::Set(d, 1e-6F), hn::Set(d, 1e-30F));
   const V slope = hn::CopySign(hn::Max(hn::Abs(e1), least), e1);
   // One step of Newton's: 22 bits or more, a column is 1/32.
   V inverse = hn::ApproximateReciprocal(slope);
@@ -73,7 +77,8 @@ HWY_INLINE void addBound(const EdgePlane& f, RowBounds<kMax>& bounds) {
   // Mostly all 16 receivers agree.
   const V far = hn::Set(d, 1e8F);
   if (!hn::AllFalse(d, rising)) {
-    bounds.lo[bounds.lo_count++] = {hn::IfThenElse(rising, a, hn::Neg(far)), hn::IfThenElseZero(rising, b)};
+    bounds.lo[bounds.lo_count++] = {hn::IfThenElse(rising, a, hn::Neg(far)),
+                                    hn::IfThenElseZero(rising, b)};
   }
   if (!hn::AllTrue(d, rising)) {
     bounds.hi[bounds.hi_count++] = {hn::IfThenElse(rising, far, a), hn::IfThenZeroElse(rising, b)};
@@ -94,8 +99,10 @@ HWY_INLINE void fillRows(const RowBounds<kMax>& bounds, const float* offsets, VU
     const V row = hn::Set(d, static_cast<float>(j));
     V lo = hn::Zero(d);
     V hi = hn::Set(d, 32.0F);
-    for (int k = 0; k < lo_count; ++k) lo = hn::Max(lo, hn::MulAdd(row, bounds.lo[k].b, bounds.lo[k].a));
-    for (int k = 0; k < hi_count; ++k) hi = hn::Min(hi, hn::MulAdd(row, bounds.hi[k].b, bounds.hi[k].a));
+    for (int k = 0; k < lo_count; ++k)
+      lo = hn::Max(lo, hn::MulAdd(row, bounds.lo[k].b, bounds.lo[k].a));
+    for (int k = 0; k < hi_count; ++k)
+      hi = hn::Min(hi, hn::MulAdd(row, bounds.hi[k].b, bounds.hi[k].a));
     lo = hn::Min(lo, hn::Set(d, 40.0F));
     hi = hn::Max(hi, hn::Set(d, -8.0F));
     // Columns i with lo <= i + o <= hi: rounding x + 1/2 is the ceiling, x - 1/2 the floor; ties
@@ -111,21 +118,24 @@ HWY_INLINE void fillRows(const RowBounds<kMax>& bounds, const float* offsets, VU
 /// Hides what lies inside all edge planes. Returns whether that hides anything from any receiver.
 /// edgeAt(k) gives the plane of edge k.
 template <int kMax, class EdgeAt>
-HWY_INLINE bool hideRows(int count, const EdgeAt& edgeAt, M active, const float* offsets, VU* hidden) {
+HWY_INLINE bool hideRows(int count, const EdgeAt& edgeAt, M active, const float* offsets,
+                         VU* hidden) {
   EdgePlane planes[kMax];
   for (int k = 0; k < count; ++k) {
     planes[k] = edgeAt(k);
     const EdgePlane& f = planes[k];
     // f is linear: its extremes are at corners of the light.
     const V zero = hn::Zero(d);
-    active = hn::And(active, hn::Gt(hn::Add(f.c0, hn::Add(hn::Max(f.c1, zero), hn::Max(f.c2, zero))), zero));
+    active = hn::And(
+        active, hn::Gt(hn::Add(f.c0, hn::Add(hn::Max(f.c1, zero), hn::Max(f.c2, zero))), zero));
     if (hn::AllFalse(d, active)) return false;
   }
   M whole = active;
   for (int k = 0; k < count; ++k) {
     const EdgePlane& f = planes[k];
     const V zero = hn::Zero(d);
-    whole = hn::And(whole, hn::Gt(hn::Add(f.c0, hn::Add(hn::Min(f.c1, zero), hn::Min(f.c2, zero))), zero));
+    whole = hn::And(whole,
+                    hn::Gt(hn::Add(f.c0, hn::Add(hn::Min(f.c1, zero), hn::Min(f.c2, zero))), zero));
   }
   if (!hn::AllFalse(d, whole)) {
     const VU whole_bits = hn::IfThenElseZero(hn::RebindMask(du, whole), hn::Set(du, 0xffffffffU));
@@ -137,13 +147,24 @@ HWY_INLINE bool hideRows(int count, const EdgeAt& edgeAt, M active, const float*
   for (int k = 0; k < count; ++k) addBound(planes[k], bounds);
   // Receivers that are not concerned get an interval that begins beyond the last column.
   if (bounds.lo_count == 0) bounds.lo[bounds.lo_count++] = {hn::Set(d, -1e8F), hn::Zero(d)};
-  bounds.lo[0] = {hn::IfThenElse(active, bounds.lo[0].a, hn::Set(d, 1e8F)), hn::IfThenElseZero(active, bounds.lo[0].b)};
+  bounds.lo[0] = {hn::IfThenElse(active, bounds.lo[0].a, hn::Set(d, 1e8F)),
+                  hn::IfThenElseZero(active, bounds.lo[0].b)};
   switch (10 * bounds.lo_count + bounds.hi_count) {
-    case 11: fillRows<1, 1>(bounds, offsets, hidden); break;
-    case 12: fillRows<1, 2>(bounds, offsets, hidden); break;
-    case 21: fillRows<2, 1>(bounds, offsets, hidden); break;
-    case 22: fillRows<2, 2>(bounds, offsets, hidden); break;
-    default: fillRows<0, 0>(bounds, offsets, hidden); break;
+    case 11:
+      fillRows<1, 1>(bounds, offsets, hidden);
+      break;
+    case 12:
+      fillRows<1, 2>(bounds, offsets, hidden);
+      break;
+    case 21:
+      fillRows<2, 1>(bounds, offsets, hidden);
+      break;
+    case 22:
+      fillRows<2, 2>(bounds, offsets, hidden);
+      break;
+    default:
+      fillRows<0, 0>(bounds, offsets, hidden);
+      break;
   }
   return true;
 }
@@ -152,7 +173,8 @@ HWY_INLINE bool hideRows(int count, const EdgeAt& edgeAt, M active, const float*
 HWY_INLINE M anyVisible(const MaskLight& light, const VU* hidden) {
   VU visible = hn::Zero(du);
   for (int j = 0; j < MaskLight::kRows; ++j) {
-    visible = hn::Or(visible, hn::AndNot(hidden[j], hn::Set(du, light.outline[static_cast<std::size_t>(j)])));
+    visible = hn::Or(
+        visible, hn::AndNot(hidden[j], hn::Set(du, light.outline[static_cast<std::size_t>(j)])));
   }
   return hn::RebindMask(d, hn::Ne(visible, hn::Zero(du)));
 }
@@ -171,8 +193,8 @@ HWY_INLINE VU byteCounts(const VU& word) {
 #endif
 }
 
-HWY_INLINE void weighRows(const MaskLight& light, const V3& p, const V3& n, const VU* hidden, std::size_t lane,
-                          MaskSums& sums) {
+HWY_INLINE void weighRows(const MaskLight& light, const V3& p, const V3& n, const VU* hidden,
+                          std::size_t lane, MaskSums& sums) {
   V visible = hn::Zero(d);
   V total = hn::Zero(d);
   V plain = hn::Zero(d);
@@ -180,7 +202,8 @@ HWY_INLINE void weighRows(const MaskLight& light, const V3& p, const V3& n, cons
   for (int cy = 0; cy < 4; ++cy) {
     VU packed = hn::Zero(du);  // four byte columns = the four cells of this band, at most 32 each
     for (int j = 4 * cy; j < 4 * cy + 4; ++j) {
-      const VU seen = hn::AndNot(hidden[j], hn::Set(du, light.outline[static_cast<std::size_t>(j)]));
+      const VU seen =
+          hn::AndNot(hidden[j], hn::Set(du, light.outline[static_cast<std::size_t>(j)]));
       packed = hn::Add(packed, byteCounts(seen));
     }
     const hn::Rebind<std::int32_t, D> di;
@@ -206,15 +229,17 @@ HWY_INLINE void weighRows(const MaskLight& light, const V3& p, const V3& n, cons
       plain_total += light.cell_count[cell];
     }
   }
-  const auto add = [&](float* to, const V& value) { hn::StoreU(hn::Add(hn::LoadU(d, to + lane), value), d, to + lane); };
+  const auto add = [&](float* to, const V& value) {
+    hn::StoreU(hn::Add(hn::LoadU(d, to + lane), value), d, to + lane);
+  };
   add(sums.visible.data(), visible);
   add(sums.total.data(), total);
   add(sums.plain_visible.data(), plain);
   add(sums.plain_total.data(), hn::Set(d, plain_total));
 }
 
-void AddMask(const MaskLight& light, std::span<const MaskBlocker* const> blockers, const MaskReceivers& r,
-             float epsilon, MaskSums& sums) {
+void AddMask(const MaskLight& light, std::span<const MaskBlocker* const> blockers,
+             const MaskReceivers& r, float epsilon, MaskSums& sums) {
   float offsets[MaskLight::kRows];
   for (int j = 0; j < MaskLight::kRows; ++j) offsets[j] = MaskLight::rowOffset(j);
   const V3 lu = set3(light.u);
@@ -251,7 +276,9 @@ void AddMask(const MaskLight& light, std::span<const MaskBlocker* const> blocker
   }
 }
 
-const char* TargetName() { return hwy::TargetName(HWY_TARGET); }
+const char* TargetName() {
+  return hwy::TargetName(HWY_TARGET);
+}
 
 }  // namespace soffit::light::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -267,7 +294,9 @@ void addMaskVisibility(const MaskLight& light, std::span<const MaskBlocker* cons
   HWY_DYNAMIC_DISPATCH(AddMask)(light, blockers, receivers, epsilon, sums);
 }
 
-const char* simdTargetName() { return HWY_DYNAMIC_DISPATCH(TargetName)(); }
+const char* simdTargetName() {
+  return HWY_DYNAMIC_DISPATCH(TargetName)();
+}
 
 }  // namespace soffit::light
 #endif

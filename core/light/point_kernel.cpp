@@ -4,6 +4,8 @@
 #define HWY_TARGET_INCLUDE "core/light/point_kernel.cpp"
 #include <hwy/foreach_target.h>
 
+#include <hwy/highway.h>
+
 #include <algorithm>
 #include <span>
 
@@ -32,13 +34,14 @@ HWY_INLINE ConePlanes conePlanes(const MaskBlocker& blocker, const V3& p, const 
     planes.c[k] = hn::Neg(dot(m, p));
   }
   const V3 n = set3(blocker.normal);
-  planes.m[blocker.count] = {hn::Mul(n.x, side.sign), hn::Mul(n.y, side.sign), hn::Mul(n.z, side.sign)};
+  planes.m[blocker.count] = {hn::Mul(n.x, side.sign), hn::Mul(n.y, side.sign),
+                             hn::Mul(n.z, side.sign)};
   planes.c[blocker.count] = hn::Neg(hn::Mul(side.sign, hn::Set(d, blocker.d)));
   return planes;
 }
 
-void AddPoints(const PointLightSamples& points, std::span<const MaskBlocker* const> blockers, const MaskReceivers& r,
-               float epsilon, MaskSums& sums) {
+void AddPoints(const PointLightSamples& points, std::span<const MaskBlocker* const> blockers,
+               const MaskReceivers& r, float epsilon, MaskSums& sums) {
   constexpr std::size_t kBlock = 128;
   for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
     const V3 p{hn::LoadU(d, r.x + lane), hn::LoadU(d, r.y + lane), hn::LoadU(d, r.z + lane)};
@@ -67,8 +70,9 @@ void AddPoints(const PointLightSamples& points, std::span<const MaskBlocker* con
           }
           const M inside = hn::And(side.active, hn::Gt(least, hn::Zero(d)));
           const std::size_t bit = k - start;
-          hidden[bit / 32] = hn::Or(hidden[bit / 32], hn::IfThenElseZero(hn::RebindMask(du, inside),
-                                                                         hn::Set(du, 1U << (bit % 32))));
+          hidden[bit / 32] =
+              hn::Or(hidden[bit / 32],
+                     hn::IfThenElseZero(hn::RebindMask(du, inside), hn::Set(du, 1U << (bit % 32))));
         }
       }
       for (std::size_t k = start; k < end; ++k) {
@@ -112,7 +116,8 @@ namespace soffit::light {
 
 HWY_EXPORT(AddPoints);
 
-void addPointVisibility(const PointLightSamples& points, std::span<const MaskBlocker* const> blockers,
+void addPointVisibility(const PointLightSamples& points,
+                        std::span<const MaskBlocker* const> blockers,
                         const MaskReceivers& receivers, float epsilon, MaskSums& sums) {
   HWY_DYNAMIC_DISPATCH(AddPoints)(points, blockers, receivers, epsilon, sums);
 }

@@ -44,7 +44,6 @@ FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, con
   first.slots.assign(texels.slotCount() * rays, kNoTexel);
   first.valid.assign(texels.slotCount(), 0);
   operators.kept.assign(texels.slotCount(), 0.0F);
-  const float near = std::min(0.02F, static_cast<float>(0.2 * texels.cell));
   std::atomic<std::size_t> done{0};
   const std::size_t clusters = texels.receivers.clusters.size();
   parallelFor(clusters, 1, [&](std::size_t begin, std::size_t end) {
@@ -55,7 +54,7 @@ FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, con
       const light::Receivers::Cluster& c = texels.receivers.clusters[i];
       for (std::uint32_t s = c.begin; s < c.begin + c.used; ++s) {
         traceHemisphere(scene, texels, texels.receivers.position(s), texels.receivers.normal(s), settings.node_rays,
-                        settings.seed * 15485863U + s, near, scratch, hits);
+                        settings.seed * 15485863U + s, texels.gapReach(s), scratch, hits);
         std::copy(hits.slots.begin(), hits.slots.end(), first.slots.begin() + static_cast<std::ptrdiff_t>(s * rays));
         const int total = static_cast<int>(rays);
         first.valid[s] = texels.area[s] > 0.0F && hits.inside * 10 <= total ? 1 : 0;

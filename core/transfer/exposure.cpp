@@ -53,7 +53,8 @@ class Exposure {
     const Texels::Grid& grid = texels_.grids[index];
     std::vector<FlatTriangle> flat;
     if (chart.planar) flat = flatten(chart);
-    const std::size_t per_side = static_cast<std::size_t>(grid.nu) * static_cast<std::size_t>(grid.nv);
+    const std::size_t per_side =
+        static_cast<std::size_t>(grid.nu) * static_cast<std::size_t>(grid.nv);
     std::size_t base = grid.first;
     std::vector<Sample> samples;
     for (const Sides side : {kFront, kBack}) {
@@ -96,20 +97,26 @@ class Exposure {
     const vec3 d = p - chart.origin;
     const int i = std::clamp(static_cast<int>(glm::dot(d, chart.t) / grid.cell.x), 0, grid.nu - 1);
     const int j = std::clamp(static_cast<int>(glm::dot(d, chart.b) / grid.cell.y), 0, grid.nv - 1);
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.nu) + static_cast<std::size_t>(i);
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.nu) +
+           static_cast<std::size_t>(i);
   }
 
-  static void cellSamples(const Chart& chart, const Texels::Grid& grid, std::span<const FlatTriangle> flat,
-                          std::size_t cell, std::vector<Sample>& out) {
+  static void cellSamples(const Chart& chart, const Texels::Grid& grid,
+                          std::span<const FlatTriangle> flat, std::size_t cell,
+                          std::vector<Sample>& out) {
     out.clear();
     const auto nu = static_cast<std::size_t>(grid.nu);
-    const vec2 corner = vec2(static_cast<float>(cell % nu), static_cast<float>(cell / nu)) * grid.cell;
+    const vec2 corner =
+        vec2(static_cast<float>(cell % nu), static_cast<float>(cell / nu)) * grid.cell;
     for (int j = 0; j < kSide; ++j) {
       for (int i = 0; i < kSide; ++i) {
-        const vec2 share((static_cast<float>(i) + 0.5F) / kSide, (static_cast<float>(j) + 0.5F) / kSide);
+        const vec2 share((static_cast<float>(i) + 0.5F) / kSide,
+                         (static_cast<float>(j) + 0.5F) / kSide);
         const vec2 p = corner + share * grid.cell;
-        const auto on = std::find_if(flat.begin(), flat.end(), [&](const FlatTriangle& f) { return f.contains(p); });
-        if (on != flat.end()) out.push_back({chart.origin + p.x * chart.t + p.y * chart.b, on->triangle, 1.0F});
+        const auto on = std::find_if(flat.begin(), flat.end(),
+                                     [&](const FlatTriangle& f) { return f.contains(p); });
+        if (on != flat.end())
+          out.push_back({chart.origin + p.x * chart.t + p.y * chart.b, on->triangle, 1.0F});
       }
     }
   }
@@ -131,14 +138,18 @@ class Exposure {
   void reduce(std::uint32_t texel, std::span<const Sample> samples) const {
     if (texel == kNoTexel) return;
     const vec3& n = draft_.normal[texel];
-    const bool covered = isCovered(mesh_, sides_, caster_, draft_.position[texel], n);
+    const auto gap = static_cast<float>(Texels::kGapShare * texels_.cell);
+    const Cover own = coverOf(mesh_, sides_, caster_, draft_.position[texel], n, gap);
+    const bool covered = own == Cover::matter;
     double whole = 0.0;
     double exposed = 0.0;
     dvec3 center(0.0);
     std::vector<const Sample*> open;
     for (const Sample& s : samples) {
       whole += s.weight;
-      if (isCovered(mesh_, sides_, caster_, s.point, n)) continue;
+      const Cover cover = coverOf(mesh_, sides_, caster_, s.point, n, gap);
+      // A texel in the open leaves out what reaches into a gap: the room's light ends there.
+      if (cover == Cover::matter || (cover == Cover::gap && own == Cover::none)) continue;
       exposed += s.weight;
       center += static_cast<double>(s.weight) * dvec3(s.point);
       open.push_back(&s);
@@ -170,20 +181,23 @@ class Exposure {
 
 }  // namespace
 
-bool isCovered(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
-               const geometry::RayCaster& caster, const vec3& p, const vec3& n) {
+Cover coverOf(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
+              const geometry::RayCaster& caster, const vec3& p, const vec3& n, float gap) {
   vec3 t;
   vec3 b;
   orthonormalBasis(n, t, b);
   // Tilted a little: straight up from a grid point often meets the edge of two triangles.
   const vec3 direction = glm::normalize(n + 0.013F * t + 0.007F * b);
   const geometry::Hit hit = caster.closest({geometry::offsetOrigin(p, n), 0.0F, direction});
-  if (!hit.valid() || sides[hit.triangle] == kBothSides) return false;
-  const uvec3& c = mesh.triangles[hit.triangle];
-  const vec3& a = mesh.positions[c.x];
-  const vec3 normal = glm::cross(mesh.positions[c.y] - a, mesh.positions[c.z] - a);
-  const Sides met = glm::dot(normal, direction) < 0.0F ? kFront : kBack;
-  return (sides[hit.triangle] & met) == 0;
+  if (!hit.valid()) return Cover::none;
+  if (sides[hit.triangle] != kBothSides) {
+    const uvec3& c = mesh.triangles[hit.triangle];
+    const vec3& a = mesh.positions[c.x];
+    const vec3 normal = glm::cross(mesh.positions[c.y] - a, mesh.positions[c.z] - a);
+    const Sides met = glm::dot(normal, direction) < 0.0F ? kFront : kBack;
+    if ((sides[hit.triangle] & met) == 0) return Cover::matter;
+  }
+  return hit.t < gap ? Cover::gap : Cover::none;
 }
 
 void measureExposure(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,

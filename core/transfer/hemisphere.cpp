@@ -7,7 +7,7 @@
 namespace soffit::transfer {
 
 void traceHemisphere(const StaticScene& scene, const Texels& texels, const vec3& p, const vec3& n, int side,
-                     std::uint64_t seed, float near_distance, HemisphereScratch& scratch, HemisphereHits& out) {
+                     std::uint64_t seed, float gap, HemisphereScratch& scratch, HemisphereHits& out) {
   const auto count = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
   scratch.rays.resize(count);
   scratch.hits.resize(count);
@@ -42,7 +42,6 @@ void traceHemisphere(const StaticScene& scene, const Texels& texels, const vec3&
   out.slots.resize(count);
   out.missed = 0;
   out.inside = 0;
-  out.near = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const geometry::Hit& hit = scratch.hits[i];
     out.slots[i] = kNoTexel;
@@ -50,10 +49,13 @@ void traceHemisphere(const StaticScene& scene, const Texels& texels, const vec3&
       ++out.missed;
       continue;
     }
-    if (hit.t < near_distance) ++out.near;
     const geometry::Ray& ray = scratch.rays[i];
     out.slots[i] = texels.at(hit.triangle, scene.hitsFront(hit.triangle, ray.direction), ray.origin + hit.t * ray.direction);
-    if (out.slots[i] == kNoTexel) ++out.inside;
+    if (out.slots[i] == kNoTexel) {
+      ++out.inside;
+    } else if (hit.t < gap && texels.openness[out.slots[i]] != 0) {
+      out.slots[i] = kNoTexel;
+    }
   }
 }
 

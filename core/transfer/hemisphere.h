@@ -15,7 +15,6 @@ struct HemisphereHits {
   std::vector<std::uint32_t> slots;  ///< texel per ray; kNoTexel where the ray misses or ends inside
   int missed = 0;                    ///< rays that left the scene
   int inside = 0;                    ///< rays that met the inside of a closed solid
-  int near = 0;                      ///< rays that ended within `near_distance`
 };
 
 /// Scratch memory for traceHemisphere.
@@ -29,8 +28,10 @@ struct HemisphereScratch {
 /// O(N^-3/4) for piecewise smooth ones. Every ray carries the same weight.
 ///
 /// p, n           scene-local, n unit.
+/// gap            m, Texels::gapReach of the point's texel: rays that end nearer on a texel outside of
+///                gaps count as dark.
 /// seed           decides jitter and rotation; equal seeds give equal rays.
 void traceHemisphere(const StaticScene& scene, const Texels& texels, const vec3& p, const vec3& n, int side,
-                     std::uint64_t seed, float near_distance, HemisphereScratch& scratch, HemisphereHits& out);
+                     std::uint64_t seed, float gap, HemisphereScratch& scratch, HemisphereHits& out);
 
 }  // namespace soffit::transfer

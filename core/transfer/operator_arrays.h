@@ -52,7 +52,7 @@ template <class Ops, class Recs, class Visit>
 void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   auto& [texels, area, fill_from, kept, nodes, lists, node_lists, clusters, weights, list_area,
          coarse] = operators;
-  auto& [receivers, texel_area, material, triangle, uv, uv_width, charts, cell, grids, cells] =
+  auto& [receivers, texel_area, material, triangle, openness, uv, uv_width, charts, cell, grids, cells] =
       texels;
   auto& [x, y, z, nx, ny, nz, slot_of, point_of, receiver_clusters, groups] = receivers;
   auto& [chart_list, chart_triangles, chart_of] = charts;
@@ -79,6 +79,7 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   visit("texels.area", texel_area);
   visit("texels.material", material);
   visit("texels.triangle", triangle);
+  visit("texels.openness", openness);
   visit("texels.uv", uv);
   visit("texels.uv_width", uv_width);
   visit("texels.grids", grids);

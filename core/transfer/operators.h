@@ -22,10 +22,10 @@ struct BakeSettings {
   double least_cell = 0.03;     ///< m, no smaller texels than this
   std::uint32_t patch = 128;    ///< texels per node patch
   int node_rays = 8;            ///< squared: rays per texel for the node matrix
-  int trainings = 64;           ///< training lights
-  int field_rays = 16;          ///< squared: rays per texel for the training fields
-  int list_rays = 48;           ///< squared: rays per skeleton point
-  int max_rank = 32;            ///< skeleton points per cluster at most
+  int trainings = 96;           ///< training lights
+  int field_rays = 24;          ///< squared: rays per texel for the training fields
+  int list_rays = 32;           ///< squared: rays per skeleton point
+  int max_rank = 48;            ///< skeleton points per cluster at most
   double tolerance = 0.01;      ///< rank stops when the fields' residual is below this share of their mean
   std::uint64_t seed = 1;
 };

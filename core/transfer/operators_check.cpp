@@ -88,7 +88,7 @@ bool texelsAreSane(const Texels& texels) {
   const std::size_t slots = texels.receivers.slotCount();
   return texels.area.size() == slots && texels.material.size() == slots &&
          texels.triangle.size() == slots && texels.uv.size() == slots &&
-         texels.uv_width.size() == slots && sane(texels.area) && saneVectors(texels.uv) &&
+         texels.uv_width.size() == slots && texels.openness.size() == slots && sane(texels.area) && saneVectors(texels.uv) &&
          sane(texels.uv_width) && below(texels.triangle, texels.charts.chart_of.size()) &&
          std::isfinite(texels.cell);
 }

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/transfer/regions.h"
 
+#include "core/base/parallel.h"
+#include "core/math/sampling.h"
+
 #include <algorithm>
+#include <array>
+#include <map>
 #include <numeric>
 
 namespace soffit::transfer {
@@ -30,10 +35,76 @@ class Sets {
   std::vector<std::uint32_t> parent_;
 };
 
+/// What a few rays from each texel tell.
+struct Outlook {
+  /// 0 in a gap (most rays end within a third of a cell), 1 in a hollow (within about a cell), 2 in
+  /// the open. The light in a gap has little to do with the light beside it, and must not share
+  /// patches and weights with it.
+  std::vector<std::uint8_t> openness;
+  /// Texels that see each other, directly or by way of others: what is sealed from the room (the
+  /// hollow of a door, a box) must get exactly none of its light.
+  Sets sealed;
+};
+
+Outlook lookAround(const Texels& texels, std::span<const vec3> positions,
+                   std::span<const vec3> normals, const geometry::RayCaster* caster) {
+  Outlook out{std::vector<std::uint8_t>(positions.size(), 2), Sets(positions.size())};
+  if (caster == nullptr) {
+    for (std::uint32_t i = 1; i < positions.size(); ++i) out.sealed.join(0, i);
+    return out;
+  }
+  constexpr std::size_t kRays = 16;
+  const auto cell = static_cast<float>(texels.cell);
+  std::vector<std::uint32_t> seen(positions.size() * kRays, kNoTexel);
+  parallelFor(positions.size(), 256, [&](std::size_t begin, std::size_t end) {
+    std::vector<geometry::Ray> rays;
+    for (std::size_t i = begin; i < end; ++i) {
+      vec3 t;
+      vec3 b;
+      orthonormalBasis(normals[i], t, b);
+      for (std::size_t k = 0; k < kRays; ++k) {
+        const vec3 d = cosineHemisphere((static_cast<float>(k % 4) + 0.5F) / 4.0F,
+                                        (static_cast<float>(k / 4) + 0.5F) / 4.0F);
+        rays.push_back({geometry::offsetOrigin(positions[i], normals[i]), 0.0F,
+                        d.x * t + d.y * b + d.z * normals[i]});
+      }
+    }
+    std::vector<geometry::Hit> hits(rays.size());
+    caster->closest(rays, hits);
+    for (std::size_t i = begin; i < end; ++i) {
+      std::array<float, kRays> length{};
+      for (std::size_t k = 0; k < kRays; ++k) {
+        const std::size_t at = (i - begin) * kRays + k;
+        length[k] = hits[at].t;
+        if (!hits[at].valid()) continue;
+        const Chart& chart = texels.charts.charts[texels.charts.chart_of[hits[at].triangle]];
+        const bool front = glm::dot(chart.normal, rays[at].direction) < 0.0F;
+        seen[i * kRays + k] =
+            texels.at(hits[at].triangle, front, rays[at].origin + hits[at].t * rays[at].direction);
+      }
+      std::nth_element(length.begin(), length.begin() + kRays / 2, length.end());
+      const float median = length[kRays / 2];
+      out.openness[i] = median < static_cast<float>(Texels::kGapShare) * cell
+                            ? 0
+                            : (median < 1.2F * cell ? 1 : 2);
+    }
+  });
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i] != kNoTexel) out.sealed.join(static_cast<std::uint32_t>(i / kRays), seen[i]);
+  }
+  return out;
+}
+
+bool alike(Outlook& outlook, std::uint32_t a, std::uint32_t b) {
+  return outlook.openness[a] == outlook.openness[b] &&
+         outlook.sealed.find(a) == outlook.sealed.find(b);
+}
+
 }  // namespace
 
-std::vector<std::uint32_t> findRegions(const Texels& texels, std::span<const vec3> positions,
-                                       std::span<const vec3> normals, const geometry::RayCaster* caster) {
+Regions findRegions(const Texels& texels, std::span<const vec3> positions,
+                    std::span<const vec3> normals, const geometry::RayCaster* caster) {
+  Outlook outlook = lookAround(texels, positions, normals, caster);
   Sets sets(positions.size());
   std::vector<std::array<std::uint32_t, 2>> pairs;
   std::vector<geometry::Ray> rays;
@@ -53,7 +124,7 @@ std::vector<std::uint32_t> findRegions(const Texels& texels, std::span<const vec
           for (const auto& [di, dj] : {std::pair{1, 0}, {0, 1}}) {
             if (i + di >= grid.nu || j + dj >= grid.nv) continue;
             const std::uint32_t b = cells[(j + dj) * grid.nu + i + di];
-            if (b == kNoTexel || a == b) continue;
+            if (b == kNoTexel || a == b || !alike(outlook, a, b)) continue;
             pairs.push_back({a, b});
             const vec3 from = positions[a] + lift * normals[a];
             rays.push_back({from, 0.0F, positions[b] + lift * normals[b] - from, 1.0F});
@@ -69,13 +140,22 @@ std::vector<std::uint32_t> findRegions(const Texels& texels, std::span<const vec
   }
   std::vector<std::uint32_t> count(positions.size(), 0);
   for (std::uint32_t i = 0; i < positions.size(); ++i) ++count[sets.find(i)];
+  // Small parts go together by what they have in common, and so do small sealed spaces (there are
+  // thousands where furniture stands on furniture); regions are numbered as they come up.
+  std::vector<std::uint32_t> sealed_count(positions.size(), 0);
+  for (std::uint32_t i = 0; i < positions.size(); ++i) ++sealed_count[outlook.sealed.find(i)];
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> numbers;
   std::vector<std::uint32_t> region(positions.size(), 0);
-  const auto small = static_cast<std::uint32_t>(positions.size());
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
     const std::uint32_t root = sets.find(i);
-    region[i] = count[root] >= kLeastCells ? root : small;
+    const bool large = count[root] >= kLeastCells;
+    const std::uint32_t space = outlook.sealed.find(i);
+    const std::array<std::uint32_t, 3> key = {
+        large ? root : kNoTexel, outlook.openness[i],
+        sealed_count[space] >= 4 * kLeastCells ? space : kNoTexel};
+    region[i] = numbers.try_emplace(key, static_cast<std::uint32_t>(numbers.size())).first->second;
   }
-  return region;
+  return {std::move(region), std::move(outlook.openness)};
 }
 
 }  // namespace soffit::transfer

@@ -47,7 +47,8 @@ class ClusterWorker {
     for (std::size_t k = 0; k < pivots.size(); ++k) {
       const std::uint32_t slot = points[static_cast<std::size_t>(pivots[k])];
       traceHemisphere(scene_, operators_.texels, r.position(slot), r.normal(slot), settings_.list_rays,
-                      settings_.seed * 7919U + 500000003U + slot, 0.0F, scratch_, hits_);
+                      settings_.seed * 7919U + 500000003U + slot,
+                      operators_.texels.gapReach(slot), scratch_, hits_);
       addFields(hits_.slots, ys.row(static_cast<Eigen::Index>(k)).data());
       result.lists.append(hits_.slots, slot_clusters_);
     }
@@ -77,7 +78,8 @@ class ClusterWorker {
     RowMatrix second = RowMatrix::Zero(n, fields_.count);
     for (std::size_t i = 0; i < points.size(); ++i) {
       traceHemisphere(scene_, operators_.texels, r.position(points[i]), r.normal(points[i]), settings_.field_rays,
-                      settings_.seed * 1000003U + points[i], 0.0F, scratch_, hits_);
+                      settings_.seed * 1000003U + points[i],
+                      operators_.texels.gapReach(points[i]), scratch_, hits_);
       // Alternate strata: each half covers the whole hemisphere.
       halves_[0].clear();
       halves_[1].clear();

@@ -134,12 +134,13 @@ Texels makeTexels(const geometry::Mesh& mesh, std::span<const std::uint8_t> side
   if (caster != nullptr) {
     measureExposure(mesh, sides, *caster, out, {draft.position, draft.normal, draft.area, draft.triangle});
   }
-  const std::vector<std::uint32_t> regions = findRegions(out, draft.position, draft.normal, caster);
-  out.receivers = light::makeReceivers(draft.position, draft.normal, kClusterSize, regions);
+  const Regions regions = findRegions(out, draft.position, draft.normal, caster);
+  out.receivers = light::makeReceivers(draft.position, draft.normal, kClusterSize, regions.number);
   const std::size_t slots = out.receivers.slotCount();
   out.area.assign(slots, 0.0F);
   out.material.resize(slots);
   out.triangle.resize(slots);
+  out.openness.resize(slots);
   out.uv.resize(slots);
   out.uv_width.resize(slots);
   for (std::size_t slot = 0; slot < slots; ++slot) {
@@ -147,6 +148,7 @@ Texels makeTexels(const geometry::Mesh& mesh, std::span<const std::uint8_t> side
     if (out.receivers.slot_of[p] == slot) out.area[slot] = draft.area[p];
     out.material[slot] = draft.material[p];
     out.triangle[slot] = draft.triangle[p];
+    out.openness[slot] = regions.openness[p];
     out.uv[slot] = uvAt(mesh, draft.triangle[p], draft.position[p]);
     out.uv_width[slot] = uvWidth(mesh, draft.triangle[p], draft.area[p]);
   }

@@ -23,6 +23,7 @@ struct Texels {
   std::vector<float> area;                ///< m^2 per slot, exposed; 0 for padding and covered texels
   std::vector<std::uint32_t> material;    ///< per slot
   std::vector<std::uint32_t> triangle;    ///< per slot: a mesh triangle the texel's point lies on
+  std::vector<std::uint8_t> openness;     ///< per slot: 0 in a gap, 1 in a hollow, 2 in the open (regions.h)
   std::vector<vec2> uv;                   ///< texture coordinates at the point; (0,0) without
   std::vector<float> uv_width;            ///< side of the texel in texture coordinates; 0 without
 
@@ -39,6 +40,14 @@ struct Texels {
 
   [[nodiscard]] std::size_t slotCount() const { return area.size(); }
   [[nodiscard]] std::size_t texelCount() const { return receivers.pointCount(); }
+
+  /// How near (m) something stands over most of a texel in a gap; 0 for other texels. A ray from a
+  /// gap that ends nearer than this has not left it, even where it meets a texel that is mostly
+  /// outside: that part of the texel is dark.
+  [[nodiscard]] float gapReach(std::size_t slot) const {
+    return openness[slot] == 0 ? static_cast<float>(kGapShare * cell) : 0.0F;
+  }
+  static constexpr double kGapShare = 0.35;  ///< of a cell
 
   /// The texel of a point on a mesh triangle, seen from its front or back; kNoTexel when that
   /// side carries no light (the inside of a closed solid).

@@ -139,7 +139,7 @@ TEST(Inconsistency, WhatPassesCanBeUsed) {
   for (int i = 0; i < 3000; ++i) {
     Operators operators = smallBake();
     Records records = recordsOf(operators);
-    forEachArray(operators, records, Mutation(random, 38));
+    forEachArray(operators, records, Mutation(random, 39));
     std::string trouble = applyRecords(records, operators);
     if (trouble.empty()) trouble = inconsistency(operators);
     // The number of mesh triangles is the caller's to compare (bakeOrLoad does).
