@@ -66,6 +66,18 @@ HWY_INLINE Facing facing(const MaskBlocker& blocker, const V3& p, float epsilon)
   return {active, hn::IfThenElse(front, hn::Set(d, -1.0F), hn::Set(d, 1.0F)), height};
 }
 
+/// Adds lanes [lane, lane + Lanes(d)) to the sums.
+HWY_INLINE void addToSums(std::size_t lane, const V& visible, const V& total, const V& plain,
+                          float plain_total, MaskSums& sums) {
+  const auto add = [lane](float* to, const V& value) HWY_ATTR {
+    hn::StoreU(hn::Add(hn::LoadU(d, to + lane), value), d, to + lane);
+  };
+  add(sums.visible.data(), visible);
+  add(sums.total.data(), total);
+  add(sums.plain_visible.data(), plain);
+  add(sums.plain_total.data(), hn::Set(d, plain_total));
+}
+
 }  // namespace soffit::light::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -229,13 +229,7 @@ HWY_INLINE void weighRows(const MaskLight& light, const V3& p, const V3& n, cons
       plain_total += light.cell_count[cell];
     }
   }
-  const auto add = [&](float* to, const V& value) {
-    hn::StoreU(hn::Add(hn::LoadU(d, to + lane), value), d, to + lane);
-  };
-  add(sums.visible.data(), visible);
-  add(sums.total.data(), total);
-  add(sums.plain_visible.data(), plain);
-  add(sums.plain_total.data(), hn::Set(d, plain_total));
+  addToSums(lane, visible, total, plain, plain_total, sums);
 }
 
 void AddMask(const MaskLight& light, std::span<const MaskBlocker* const> blockers,

@@ -98,13 +98,7 @@ void AddPoints(const PointLightSamples& points, std::span<const MaskBlocker* con
         plain_total += points.weight[k];
       }
     }
-    const auto add = [&](float* to, const V& value) {
-      hn::StoreU(hn::Add(hn::LoadU(d, to + lane), value), d, to + lane);
-    };
-    add(sums.visible.data(), visible);
-    add(sums.total.data(), total);
-    add(sums.plain_visible.data(), plain);
-    add(sums.plain_total.data(), hn::Set(d, plain_total));
+    addToSums(lane, visible, total, plain, plain_total, sums);
   }
 }
 

@@ -276,30 +276,6 @@ void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x
   HWY_DYNAMIC_DISPATCH(GatherRgb)(lists, first, &x[0].x, lit_of.empty() ? nullptr : lit_of.data(), &y[0].x, y.size());
 }
 
-void gather(const GatherLists& lists, std::size_t first, std::span<const float> x, std::span<const std::uint8_t> lit_of,
-            std::span<float> y) {
-  const std::uint8_t* lit = lit_of.empty() ? nullptr : lit_of.data();
-  // One channel is a plain scalar loop: a byte index and a load per tap leave nothing to vectorise.
-  for (std::size_t k = 0; k < y.size(); ++k) {
-    const GatherLists::List& list = lists.lists[first + k];
-    float sum0 = 0.0F;
-    float sum1 = 0.0F;
-    for (std::uint32_t b = list.first_block; b < list.first_block + list.block_count; ++b) {
-      const GatherLists::Block& block = lists.blocks[b];
-      if (lit != nullptr && lit[block.cluster] == 0) continue;
-      const GatherLists::Entry* entry = &lists.entries[block.first];
-      const float* base = &x[block.base];
-      std::uint32_t e = 0;
-      for (; e + 2 <= block.count; e += 2) {
-        sum0 += static_cast<float>(entry[e].count) * base[entry[e].local];
-        sum1 += static_cast<float>(entry[e + 1].count) * base[entry[e + 1].local];
-      }
-      if (e < block.count) sum0 += static_cast<float>(entry[e].count) * base[entry[e].local];
-    }
-    y[k] = (sum0 + sum1) * list.scale;
-  }
-}
-
 void gatherNodes(const NodeLists& lists, std::size_t first, std::span<const vec4> b, std::span<vec4> y) {
   if (y.empty()) return;
   HWY_DYNAMIC_DISPATCH(GatherNodes)(lists, first, &b[0].x, &y[0].x, y.size());

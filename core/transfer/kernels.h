@@ -39,6 +39,7 @@ struct TintedLight {
     return std::bit_cast<float>((std::bit_cast<std::uint32_t>(lux) & ~15U) | place);
   }
 };
+
 /// y[k] = gather list first+k of rho lux, k < y.size(); dark clusters are skipped.
 void gatherTinted(const GatherLists& lists, std::size_t first, const TintedLight& light, std::span<vec4> y);
 
@@ -46,10 +47,6 @@ void gatherTinted(const GatherLists& lists, std::size_t first, const TintedLight
 /// 0 where x is known to be 0 (those taps are skipped); empty: all.
 void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x, std::span<const std::uint8_t> lit,
             std::span<vec4> y);
-
-/// The same for one channel.
-void gather(const GatherLists& lists, std::size_t first, std::span<const float> x, std::span<const std::uint8_t> lit,
-            std::span<float> y);
 
 /// y[k] += node list first+k of b: RGB + padding per node function (NodeLists).
 void gatherNodes(const NodeLists& lists, std::size_t first, std::span<const vec4> b, std::span<vec4> y);
