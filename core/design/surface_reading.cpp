@@ -33,8 +33,8 @@ std::vector<dvec3> interpolateAt(const transfer::Texels& texels, const relight::
   std::vector<dvec3> out(receivers.size(), dvec3(0.0));
   if (texels.slotCount() == 0) return out;
   for (std::size_t i = 0; i < receivers.size(); ++i) {
-    std::array<std::uint32_t, 4> slots{};
-    std::array<float, 4> weights{};
+    std::array<std::uint32_t, transfer::Texels::kMostAround> slots{};
+    std::array<float, transfer::Texels::kMostAround> weights{};
     const SurfaceReceiver& r = receivers[i];
     const int count = texels.around(r.triangle, r.front, vec3(r.position), slots, weights);
     for (int k = 0; k < count; ++k) {

@@ -94,27 +94,12 @@ std::vector<SurfaceReceiver> drawReceivers(const relight::Solver& solver, std::s
 }
 
 std::vector<SurfaceReceiver> litReceivers(
-    const relight::Solver& solver, std::span<const SurfaceReceiver> receivers,
-    std::span<const float> lux, std::size_t count,
+    std::span<const SurfaceReceiver> receivers, std::size_t count,
     const std::function<std::vector<bool>(std::span<const SurfaceReceiver>)>& lit_in_reference) {
-  std::vector<std::uint8_t> keep(receivers.size(), 0);
-  std::vector<SurfaceReceiver> dark;
-  std::vector<std::size_t> dark_index;
-  for (std::size_t i = 0; i < receivers.size(); ++i) {
-    const std::uint32_t slot = slotOf(solver, receivers[i]);
-    keep[i] = slot != transfer::kNoTexel && lux[slot] > 0.0F ? 1 : 0;
-    if (keep[i] == 0) {
-      dark.push_back(receivers[i]);
-      dark_index.push_back(i);
-    }
-  }
-  if (!dark.empty()) {
-    const std::vector<bool> lit = lit_in_reference(dark);
-    for (std::size_t k = 0; k < dark.size(); ++k) keep[dark_index[k]] = lit[k] ? 1 : 0;
-  }
+  const std::vector<bool> lit = lit_in_reference(receivers);
   std::vector<SurfaceReceiver> out;
   for (std::size_t i = 0; i < receivers.size() && out.size() < count; ++i) {
-    if (keep[i] != 0) out.push_back(receivers[i]);
+    if (lit[i]) out.push_back(receivers[i]);
   }
   return out;
 }

@@ -28,12 +28,11 @@ struct SurfaceReceiver {
 std::vector<SurfaceReceiver> drawReceivers(const relight::Solver& solver, std::size_t count,
                                            std::uint64_t seed);
 
-/// The part of `receivers` that gets light, most `count` of them in their order. lux: one per slot
-/// of the solver's texels (the interactive solution). What is dark there is looked at by
-/// `lit_in_reference` before it is called dark, so that light which the engine misses counts.
+/// The part of `receivers` that gets light, most `count` of them in their order. What is lit is for
+/// the reference to say: the back of a board that hangs on a wall, and the wall behind it, belong to
+/// no lit surface, whatever the texel beside them shows.
 std::vector<SurfaceReceiver> litReceivers(
-    const relight::Solver& solver, std::span<const SurfaceReceiver> receivers,
-    std::span<const float> lux, std::size_t count,
+    std::span<const SurfaceReceiver> receivers, std::size_t count,
     const std::function<std::vector<bool>(std::span<const SurfaceReceiver>)>& lit_in_reference);
 
 /// The receiver as a sensor in the world.

@@ -66,35 +66,18 @@ std::vector<Batch> batchesOf(std::span<const scene::Sensor> sensors,
   return batches;
 }
 
-/// Total lux per slot of a set of luminaires.
-Result<std::vector<float>> slotLux(const std::shared_ptr<const relight::Solver>& solver,
-                                   std::span<const light::Luminaire> luminaires, const Job& job) {
-  relight::Lighting lighting(solver);
-  const auto set = lighting.setLuminaires(luminaires, job);
-  if (!set) return set.error();
-  const relight::Planes total = lighting.total();
-  std::vector<float> lux(total[0].size());
-  const vec3 y(light::kLuminance);
-  for (std::size_t s = 0; s < lux.size(); ++s) {
-    lux[s] = y.x * total[0][s] + y.y * total[1][s] + y.z * total[2][s];
-  }
-  return lux;
-}
-
 }  // namespace
 
 Result<std::vector<SurfaceReceiver>> chooseReceivers(
     const std::shared_ptr<const relight::Solver>& solver, const scene::Scene& scene,
     std::size_t count, std::uint64_t seed, const Job& job) {
-  const auto lux = slotLux(solver, scene.luminaires, job);
-  if (!lux) return lux.error();
   const auto reference = reference::ReferenceScene::make(
       scene, scene.luminaires,
       std::shared_ptr<const geometry::RayCaster>(solver, &solver->scene().caster));
   if (!reference) return reference.error();
-  const auto lit = [&](std::span<const SurfaceReceiver> dark) {
+  const auto lit = [&](std::span<const SurfaceReceiver> candidates) {
     std::vector<scene::Sensor> sensors;
-    for (const SurfaceReceiver& r : dark) sensors.push_back(toSensor(r, scene.mesh->origin));
+    for (const SurfaceReceiver& r : candidates) sensors.push_back(toSensor(r, scene.mesh->origin));
     reference::EstimateOptions few;
     few.relative_error = 0.5;
     few.min_replicates = 2;
@@ -102,14 +85,15 @@ Result<std::vector<SurfaceReceiver>> chooseReceivers(
     few.max_paths = 128;
     few.seed = seed;
     std::vector<bool> out;
-    for (const auto& s : reference::estimate(*reference, sensors, few).sensors) {
+    for (const auto& s : reference::estimate(*reference, sensors, few, job).sensors) {
       out.push_back(s.total > 0.0);
     }
     return out;
   };
   // Twice as many as wanted, so that there are enough when half of the model is dark.
   const auto drawn = drawReceivers(*solver, 2 * count, seed);
-  return litReceivers(*solver, drawn, *lux, count, lit);
+  if (job.cancelled()) return Error{"verify", "cancelled", ""};
+  return litReceivers(drawn, count, lit);
 }
 
 PointSamples sumOf(const PointSamples& a, const PointSamples& b) {

@@ -139,12 +139,12 @@ void coverTexels(const light::Emitter& e, const transfer::Texels& texels, std::s
       const double height = glm::dot(n, center - p);
       if (std::abs(glm::dot(n, e.normal)) < 0.99 || height <= 0.0 || height > gap) continue;
       const transfer::Chart& chart = texels.charts.charts[texels.charts.chart_of[texels.triangle[s]]];
-      const transfer::Texels::Grid& grid = texels.grids[texels.charts.chart_of[texels.triangle[s]]];
+      const double side = std::sqrt(static_cast<double>(texels.area[s]));
       int hidden = 0;
       for (int j = 0; j < kTaps; ++j) {
         for (int i = 0; i < kTaps; ++i) {
-          const double a = ((i + 0.5) / kTaps - 0.5) * static_cast<double>(grid.cell.x);
-          const double b = ((j + 0.5) / kTaps - 0.5) * static_cast<double>(grid.cell.y);
+          const double a = ((i + 0.5) / kTaps - 0.5) * side;
+          const double b = ((j + 0.5) / kTaps - 0.5) * side;
           dvec3 q = p + a * dvec3(chart.t) + b * dvec3(chart.b);
           q += glm::dot(center - q, e.normal) * e.normal;
           hidden += covers(e, q) ? 1 : 0;

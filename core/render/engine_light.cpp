@@ -49,8 +49,8 @@ void EngineLight::evaluate(std::span<const SurfacePoint> points, std::span<vec3>
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfacePoint& p = points[i];
-    std::array<std::uint32_t, 4> slots{};
-    std::array<float, 4> weights{};
+    std::array<std::uint32_t, transfer::Texels::kMostAround> slots{};
+    std::array<float, transfer::Texels::kMostAround> weights{};
     const bool front = glm::dot(p.normal, scene.normals[p.triangle]) > 0.0F;
     const int count =
         texels.slotCount() == 0 ? 0 : texels.around(p.triangle, front, p.position, slots, weights);

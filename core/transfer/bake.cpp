@@ -31,6 +31,22 @@ class Clock {
   double last_ = 0.0;
 };
 
+/// Texels of the wished number: whole cells first, the rest where cells are worth splitting. In a room
+/// where few are, smaller cells everywhere are the better use.
+Texels layTexels(const StaticScene& scene, const BakeSettings& settings) {
+  const auto count = static_cast<std::size_t>(settings.texels);
+  const auto cellFor = [&](double share) {
+    return cellForCount(*scene.mesh, scene.sides, static_cast<std::size_t>(share * static_cast<double>(count)),
+                        settings.least_cell);
+  };
+  std::size_t useful = 0;
+  const double cell = cellFor(settings.whole_cells);
+  Texels texels = makeTexels(*scene.mesh, scene.sides, cell, &scene.caster, count, &useful);
+  const double share = 1.0 - 1.3 * static_cast<double>(useful) / static_cast<double>(count);
+  if (share < settings.whole_cells + 0.1) return texels;
+  return makeTexels(*scene.mesh, scene.sides, cellFor(share), &scene.caster, count);
+}
+
 /// Hits of every texel's rays, and with them which texels are valid (design.md section 2).
 struct FirstHits {
   std::vector<std::uint32_t> slots;  ///< rays per slot
@@ -110,8 +126,7 @@ Result<std::shared_ptr<const Operators>> bake(const StaticScene& scene, const Ba
     return std::shared_ptr<const Operators>(operators);
   }
   job.report("laying out texels", 0.0);
-  const double cell = cellForCount(*scene.mesh, scene.sides, static_cast<std::size_t>(settings.texels), settings.least_cell);
-  operators->texels = makeTexels(*scene.mesh, scene.sides, cell, &scene.caster);
+  operators->texels = layTexels(scene, settings);
   tally.texel_seconds = clock.lap();
   const FirstHits first = traceFirst(scene, settings, job, *operators);
   if (job.cancelled()) return cancelled;

@@ -8,7 +8,8 @@
 namespace soffit::transfer {
 namespace {
 
-/// A convex polygon in the chart's plane; clipping a triangle by four lines leaves at most 7 corners.
+/// A convex polygon in the chart's plane; clipping a triangle by four lines leaves at most 7
+/// corners.
 struct Piece {
   std::array<dvec2, 8> corners{};
   int count = 0;
@@ -25,7 +26,7 @@ Piece clip(const Piece& in, int axis, double at, double sign) {
     if (ha >= 0.0 && out.count < 8) out.corners[static_cast<std::size_t>(out.count++)] = a;
     if ((ha > 0.0) != (hb > 0.0) && ha != hb && out.count < 8) {
       const double t = ha / (ha - hb);
-      if (t > 0.0 && t < 1.0) out.corners[static_cast<std::size_t>(out.count++)] = a + t * (b - a);
+      out.corners[static_cast<std::size_t>(out.count++)] = a + std::clamp(t, 0.0, 1.0) * (b - a);
     }
   }
   return out;
@@ -97,12 +98,32 @@ void joinSlivers(CellGrid& grid) {
 
 }  // namespace
 
-CellGrid cutIntoCells(const geometry::Mesh& mesh, const Charts& charts, const Chart& chart, double wished) {
+GridLayout gridLayout(const vec2& size, double wished, bool fine) {
+  constexpr int kMost = 2048;  // base cells along an axis
+  const auto cells = [&](float extent) {
+    return std::clamp(static_cast<int>(std::lround(static_cast<double>(extent) / wished)), 1,
+                      kMost);
+  };
+  const auto parts = [&](float extent, int count) {
+    const double share = static_cast<double>(extent) / count / wished;
+    return !fine || share < 0.12 ? 1 : (share < 0.5 ? 2 : 4);
+  };
+  GridLayout layout;
+  layout.nu = cells(size.x);
+  layout.nv = cells(size.y);
+  layout.ku = parts(size.x, layout.nu);
+  layout.kv = parts(size.y, layout.nv);
+  layout.nu *= layout.ku;
+  layout.nv *= layout.kv;
+  return layout;
+}
+
+CellGrid cutIntoCells(const geometry::Mesh& mesh, const Charts& charts, const Chart& chart, int nu,
+                      int nv) {
   CellGrid grid;
   const dvec2 size(chart.size);
-  // A hair of slack keeps a 3 m wall at 0.1 m at 30 cells.
-  grid.nu = std::clamp(static_cast<int>(std::lround(size.x / wished)), 1, 4096);
-  grid.nv = std::clamp(static_cast<int>(std::lround(size.y / wished)), 1, 4096);
+  grid.nu = nu;
+  grid.nv = nv;
   const dvec2 cell(std::max(size.x / grid.nu, 1e-30), std::max(size.y / grid.nv, 1e-30));
   grid.cell = vec2(cell);
   grid.cells.resize(static_cast<std::size_t>(grid.nu) * static_cast<std::size_t>(grid.nv));

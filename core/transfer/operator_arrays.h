@@ -52,7 +52,7 @@ template <class Ops, class Recs, class Visit>
 void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   auto& [texels, area, fill_from, kept, nodes, lists, node_lists, clusters, weights, list_area,
          coarse] = operators;
-  auto& [receivers, texel_area, material, triangle, openness, uv, uv_width, charts, cell, grids, cells] =
+  auto& [receivers, texel_area, material, triangle, openness, part, uv, uv_width, charts, cell, grids, cells, split] =
       texels;
   auto& [x, y, z, nx, ny, nz, slot_of, point_of, receiver_clusters, groups] = receivers;
   auto& [chart_list, chart_triangles, chart_of] = charts;
@@ -80,10 +80,12 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   visit("texels.material", material);
   visit("texels.triangle", triangle);
   visit("texels.openness", openness);
+  visit("texels.part", part);
   visit("texels.uv", uv);
   visit("texels.uv_width", uv_width);
   visit("texels.grids", grids);
   visit("texels.cells", cells);
+  visit("texels.split", split);
   visit("area", area);
   visit("fill_from", fill_from);
   visit("kept", kept);
@@ -112,7 +114,7 @@ static_assert(is_packed<ScalarRecord, 4 * 8>);
 static_assert(is_packed<vec2, 2 * 4> && is_packed<vec3, 3 * 4>);
 static_assert(is_packed<light::Receivers::Bounds, 3 * 12 + 4>);
 static_assert(is_packed<light::Receivers::Cluster, 3 * 4 + sizeof(light::Receivers::Bounds)>);
-static_assert(is_packed<Texels::Grid, 3 * 4 + 8>);
+static_assert(is_packed<Texels::Grid, 6 * 4 + 8>);
 static_assert(is_packed<Nodes::Patch, 4 * 4 + 8>);
 static_assert(is_packed<GatherLists::Entry, 2>);
 static_assert(is_packed<GatherLists::Block, 4 * 4>);

@@ -19,7 +19,8 @@ namespace soffit::transfer {
 
 struct BakeSettings {
   int texels = 52000;           ///< wished number of source texels
-  double least_cell = 0.03;     ///< m, no smaller texels than this
+  double whole_cells = 0.6;     ///< of these, the share that even cells would take: the others come from splitting
+  double least_cell = 0.03;     ///< m, no smaller base cells than this
   std::uint32_t patch = 128;    ///< texels per node patch
   int node_rays = 8;            ///< squared: rays per texel for the node matrix
   int trainings = 96;           ///< training lights

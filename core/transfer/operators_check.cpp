@@ -78,6 +78,9 @@ bool gridsAreSane(const Texels& texels) {
     const auto per_side = static_cast<std::uint64_t>(grid.nu) * static_cast<std::uint64_t>(grid.nv);
     const std::uint64_t used = per_side * ((sides & 1U) + (sides >> 1U));
     if (!within(grid.first, used, texels.cells.size())) return false;
+    if (grid.ku < 1 || grid.kv < 1 || grid.ku > 4 || grid.kv > 4 || grid.nu % grid.ku != 0 || grid.nv % grid.kv != 0) return false;
+    const std::uint64_t bases = used / (static_cast<std::uint64_t>(grid.ku) * static_cast<std::uint64_t>(grid.kv));
+    if (!within(grid.first_base, bases, texels.split.size())) return false;
   }
   return std::all_of(texels.cells.begin(), texels.cells.end(), [&](std::uint32_t slot) {
     return slot == kNoTexel || slot < texels.slotCount();
@@ -88,7 +91,7 @@ bool texelsAreSane(const Texels& texels) {
   const std::size_t slots = texels.receivers.slotCount();
   return texels.area.size() == slots && texels.material.size() == slots &&
          texels.triangle.size() == slots && texels.uv.size() == slots &&
-         texels.uv_width.size() == slots && texels.openness.size() == slots && sane(texels.area) && saneVectors(texels.uv) &&
+         texels.uv_width.size() == slots && texels.openness.size() == slots && texels.part.size() == slots && sane(texels.area) && saneVectors(texels.uv) &&
          sane(texels.uv_width) && below(texels.triangle, texels.charts.chart_of.size()) &&
          std::isfinite(texels.cell);
 }

@@ -44,18 +44,47 @@ struct Outlook {
   /// Texels that see each other, directly or by way of others: what is sealed from the room (the
   /// hollow of a door, a box) must get exactly none of its light.
   Sets sealed;
+  /// How dark: 0 about as bright as most, and one more for each octave below.
+  std::vector<std::uint8_t> dusk;
 };
+
+constexpr std::size_t kRays = 16;
+
+/// Classes of brightness by a glow: light of distance times a constant along each ray, up to 3 m,
+/// and what half-grey surfaces reflect of it. `seen`: kRays per texel.
+std::vector<std::uint8_t> dusk(std::span<const float> glow, std::span<const std::uint32_t> seen) {
+  constexpr int kBounces = 6;
+  constexpr std::uint8_t kDarkest = 4;
+  std::vector<float> light(glow.begin(), glow.end());
+  for (int bounce = 0; bounce < kBounces; ++bounce) {
+    std::vector<float> next(glow.begin(), glow.end());
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (seen[i] != kNoTexel) next[i / kRays] += 0.5F * light[seen[i]] / static_cast<float>(kRays);
+    }
+    light.swap(next);
+  }
+  std::vector<float> sorted = light;
+  const auto usual = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 7 / 10);
+  std::nth_element(sorted.begin(), usual, sorted.end());
+  std::vector<std::uint8_t> out(light.size(), 0);
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    for (float edge = 0.7F * *usual; out[i] < kDarkest && light[i] < edge; edge *= 0.5F) ++out[i];
+  }
+  return out;
+}
 
 Outlook lookAround(const Texels& texels, std::span<const vec3> positions,
                    std::span<const vec3> normals, const geometry::RayCaster* caster) {
-  Outlook out{std::vector<std::uint8_t>(positions.size(), 2), Sets(positions.size())};
+  Outlook out{std::vector<std::uint8_t>(positions.size(), 2), Sets(positions.size()),
+              std::vector<std::uint8_t>(positions.size(), 0)};
   if (caster == nullptr) {
     for (std::uint32_t i = 1; i < positions.size(); ++i) out.sealed.join(0, i);
     return out;
   }
-  constexpr std::size_t kRays = 16;
   const auto cell = static_cast<float>(texels.cell);
+  constexpr float kReach = 3.0F;
   std::vector<std::uint32_t> seen(positions.size() * kRays, kNoTexel);
+  std::vector<float> glow(positions.size(), 0.0F);
   parallelFor(positions.size(), 256, [&](std::size_t begin, std::size_t end) {
     std::vector<geometry::Ray> rays;
     for (std::size_t i = begin; i < end; ++i) {
@@ -76,6 +105,8 @@ Outlook lookAround(const Texels& texels, std::span<const vec3> positions,
       for (std::size_t k = 0; k < kRays; ++k) {
         const std::size_t at = (i - begin) * kRays + k;
         length[k] = hits[at].t;
+        glow[i] +=
+            std::min(hits[at].valid() ? hits[at].t : kReach, kReach) / static_cast<float>(kRays);
         if (!hits[at].valid()) continue;
         const Chart& chart = texels.charts.charts[texels.charts.chart_of[hits[at].triangle]];
         const bool front = glm::dot(chart.normal, rays[at].direction) < 0.0F;
@@ -86,18 +117,24 @@ Outlook lookAround(const Texels& texels, std::span<const vec3> positions,
       const float median = length[kRays / 2];
       out.openness[i] = median < static_cast<float>(Texels::kGapShare) * cell
                             ? 0
-                            : (median < 1.2F * cell ? 1 : 2);
+                            : (median < 0.9F * cell ? 1 : 2);
     }
   });
+  out.dusk = dusk(glow, seen);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i] != kNoTexel) out.sealed.join(static_cast<std::uint32_t>(i / kRays), seen[i]);
   }
   return out;
 }
 
-bool alike(Outlook& outlook, std::uint32_t a, std::uint32_t b) {
-  return outlook.openness[a] == outlook.openness[b] &&
+/// Whether light may be interpolated between neighbours that nothing stands between.
+bool connected(Outlook& outlook, std::uint32_t a, std::uint32_t b) {
+  return (outlook.openness[a] == 0) == (outlook.openness[b] == 0) &&
          outlook.sealed.find(a) == outlook.sealed.find(b);
+}
+
+bool alike(const Outlook& outlook, std::uint32_t a, std::uint32_t b) {
+  return outlook.openness[a] == outlook.openness[b] && outlook.dusk[a] == outlook.dusk[b];
 }
 
 }  // namespace
@@ -106,15 +143,16 @@ Regions findRegions(const Texels& texels, std::span<const vec3> positions,
                     std::span<const vec3> normals, const geometry::RayCaster* caster) {
   Outlook outlook = lookAround(texels, positions, normals, caster);
   Sets sets(positions.size());
+  Sets parts(positions.size());
   std::vector<std::array<std::uint32_t, 2>> pairs;
   std::vector<geometry::Ray> rays;
   for (std::size_t c = 0; c < texels.charts.charts.size(); ++c) {
     const Chart& chart = texels.charts.charts[c];
-    if (!chart.planar) continue;
+    if (!chart.planar || chart.sides == kNoSide) continue;
     const Texels::Grid& grid = texels.grids[c];
     const auto per_side = static_cast<std::uint32_t>(grid.nu * grid.nv);
     const std::uint32_t sides = (chart.sides & kFront) != 0 && (chart.sides & kBack) != 0 ? 2U : 1U;
-    const float lift = std::min(0.03F, 0.25F * std::min(grid.cell.x, grid.cell.y));
+    const float lift = std::min(0.03F, 0.25F * static_cast<float>(texels.cell));
     for (std::uint32_t side = 0; side < sides; ++side) {
       const std::uint32_t* cells = &texels.cells[grid.first + side * per_side];
       for (int j = 0; j < grid.nv; ++j) {
@@ -124,7 +162,8 @@ Regions findRegions(const Texels& texels, std::span<const vec3> positions,
           for (const auto& [di, dj] : {std::pair{1, 0}, {0, 1}}) {
             if (i + di >= grid.nu || j + dj >= grid.nv) continue;
             const std::uint32_t b = cells[(j + dj) * grid.nu + i + di];
-            if (b == kNoTexel || a == b || !alike(outlook, a, b)) continue;
+            if (b == kNoTexel || a == b || !connected(outlook, a, b)) continue;
+            if (!pairs.empty() && pairs.back() == std::array{a, b}) continue;
             pairs.push_back({a, b});
             const vec3 from = positions[a] + lift * normals[a];
             rays.push_back({from, 0.0F, positions[b] + lift * normals[b] - from, 1.0F});
@@ -136,7 +175,9 @@ Regions findRegions(const Texels& texels, std::span<const vec3> positions,
   std::vector<std::uint8_t> blocked(rays.size(), 0);
   if (caster != nullptr) caster->occluded(rays, blocked);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (blocked[k] == 0) sets.join(pairs[k][0], pairs[k][1]);
+    if (blocked[k] != 0) continue;
+    parts.join(pairs[k][0], pairs[k][1]);
+    if (alike(outlook, pairs[k][0], pairs[k][1])) sets.join(pairs[k][0], pairs[k][1]);
   }
   std::vector<std::uint32_t> count(positions.size(), 0);
   for (std::uint32_t i = 0; i < positions.size(); ++i) ++count[sets.find(i)];
@@ -144,18 +185,20 @@ Regions findRegions(const Texels& texels, std::span<const vec3> positions,
   // thousands where furniture stands on furniture); regions are numbered as they come up.
   std::vector<std::uint32_t> sealed_count(positions.size(), 0);
   for (std::uint32_t i = 0; i < positions.size(); ++i) ++sealed_count[outlook.sealed.find(i)];
-  std::map<std::array<std::uint32_t, 3>, std::uint32_t> numbers;
+  std::map<std::array<std::uint32_t, 4>, std::uint32_t> numbers;
   std::vector<std::uint32_t> region(positions.size(), 0);
+  std::vector<std::uint32_t> part(positions.size(), 0);
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
     const std::uint32_t root = sets.find(i);
     const bool large = count[root] >= kLeastCells;
     const std::uint32_t space = outlook.sealed.find(i);
-    const std::array<std::uint32_t, 3> key = {
-        large ? root : kNoTexel, outlook.openness[i],
+    const std::array<std::uint32_t, 4> key = {
+        large ? root : kNoTexel, outlook.openness[i], outlook.dusk[i],
         sealed_count[space] >= 4 * kLeastCells ? space : kNoTexel};
+    part[i] = parts.find(i);
     region[i] = numbers.try_emplace(key, static_cast<std::uint32_t>(numbers.size())).first->second;
   }
-  return {std::move(region), std::move(outlook.openness)};
+  return {std::move(region), std::move(part), std::move(outlook.openness)};
 }
 
 }  // namespace soffit::transfer

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/transfer/texels.h"
 
-#include "core/transfer/cell_grid.h"
+#include "core/base/parallel.h"
+#include "core/transfer/cell_splits.h"
 #include "core/transfer/exposure.h"
 #include "core/transfer/regions.h"
 
@@ -12,6 +13,7 @@ namespace soffit::transfer {
 namespace {
 
 constexpr std::uint32_t kClusterSize = 256;
+constexpr double kChartShare = 0.7;
 
 /// Texels before they are put in the order of their clusters.
 struct Draft {
@@ -29,37 +31,200 @@ struct Draft {
   }
 };
 
-void addPlanarChart(const geometry::Mesh& mesh, const Charts& charts, const Chart& chart, double cell, Draft& draft,
-                    Texels& out, Texels::Grid& grid) {
-  const CellGrid cut = cutIntoCells(mesh, charts, chart, cell);
-  grid.nu = cut.nu;
-  grid.nv = cut.nv;
-  grid.cell = cut.cell;
-  const auto count = static_cast<std::size_t>(cut.nu) * static_cast<std::size_t>(cut.nv);
-  for (const Sides side : {kFront, kBack}) {
-    if ((chart.sides & side) == 0) continue;
-    const std::size_t base = out.cells.size();
-    out.cells.resize(base + count, kNoTexel);
-    const vec3 n = side == kFront ? chart.normal : -chart.normal;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Cell& c = cut.cells[i];
-      if (c.owner != i || c.area <= 0.0) continue;
-      out.cells[base + i] = draft.add(c.point, n, c.total_area, chart.material, c.triangle);
+/// Cells of a texel under way: what counts of them.
+class CellSum {
+ public:
+  /// The more common kind counts: a texel in the open leaves out what reaches into a gap, the
+  /// room's light ends there.
+  CellSum(const SplitGrid& grid, const Chart& chart, std::span<const std::size_t> cells)
+      : grid_(grid), chart_(chart), cells_(cells) {
+    std::array<double, 3> area{};
+    for (const std::size_t i : cells)
+      area[static_cast<std::size_t>(coverAt(i))] += grid.cut->cells[i].area;
+    kind_ = area[1] > area[0] ? Cover::gap : Cover::none;
+    if (area[0] + area[1] <= 0.0) kind_ = Cover::matter;
+  }
+  [[nodiscard]] bool covered() const { return kind_ == Cover::matter; }
+  [[nodiscard]] SurfacePlace place() const {
+    SurfacePlace out;
+    dvec3 center(0.0);
+    for (const std::size_t i : cells_) {
+      const Cell& c = grid_.cut->cells[i];
+      if (coverAt(i) != kind_) continue;
+      const double area = c.total_area * static_cast<double>(shareAt(i));
+      out.area += area;
+      center += area * dvec3(pointAt(i));
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      if (cut.cells[i].area > 0.0) out.cells[base + i] = out.cells[base + cut.cells[i].owner];
+    if (out.area > 0.0) center /= out.area;
+    const std::size_t middle = cellOf(center);
+    if (counts(middle)) {
+      out.point = vec3(center);
+      out.triangle = grid_.cut->cells[middle].triangle;
+      return out;
     }
+    double best = 1e300;
+    for (const std::size_t i : cells_) {
+      const Cell& c = grid_.cut->cells[i];
+      const dvec3 d = dvec3(pointAt(i)) - center;
+      if (coverAt(i) != kind_ || glm::dot(d, d) >= best) continue;
+      best = glm::dot(d, d);
+      out.point = pointAt(i);
+      out.triangle = c.triangle;
+    }
+    return out;
+  }
+
+ private:
+  [[nodiscard]] Cover coverAt(std::size_t i) const {
+    return grid_.outlook.empty() ? Cover::none : grid_.outlook[i].cover;
+  }
+  [[nodiscard]] std::size_t cellOf(const dvec3& p) const {
+    const dvec3 d = p - dvec3(chart_.origin);
+    const CellGrid& cut = *grid_.cut;
+    const int i =
+        std::clamp(static_cast<int>(glm::dot(d, dvec3(chart_.t)) / static_cast<double>(cut.cell.x)),
+                   0, cut.nu - 1);
+    const int j =
+        std::clamp(static_cast<int>(glm::dot(d, dvec3(chart_.b)) / static_cast<double>(cut.cell.y)),
+                   0, cut.nv - 1);
+    return static_cast<std::size_t>(j * cut.nu + i);
+  }
+  /// Whether the whole of a fine cell is surface of this texel.
+  [[nodiscard]] bool counts(std::size_t i) const {
+    const double full =
+        static_cast<double>(grid_.cut->cell.x) * static_cast<double>(grid_.cut->cell.y);
+    return std::find(cells_.begin(), cells_.end(), i) != cells_.end() && coverAt(i) == kind_ &&
+           shareAt(i) == 1.0F && grid_.cut->cells[i].area > 0.999 * full;
+  }
+  [[nodiscard]] float shareAt(std::size_t i) const {
+    return grid_.outlook.empty() ? 1.0F : grid_.outlook[i].share;
+  }
+  [[nodiscard]] const vec3& pointAt(std::size_t i) const {
+    return grid_.outlook.empty() ? grid_.cut->cells[i].point : grid_.outlook[i].point;
+  }
+  const SplitGrid& grid_;
+  const Chart& chart_;
+  std::span<const std::size_t> cells_;
+  Cover kind_ = Cover::none;
+};
+
+/// Covered cells that nothing was counted for take the nearest texel's number: a ray that meets
+/// them by rounding finds its light.
+void spreadNumbers(const SplitGrid& grid, std::span<std::uint32_t> numbers) {
+  std::vector<std::size_t> front;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i] != kNoTexel) front.push_back(i);
+  }
+  const auto nu = static_cast<std::size_t>(grid.layout.nu);
+  for (std::size_t k = 0; k < front.size(); ++k) {
+    const std::size_t i = front[k];
+    const auto visit = [&](bool inside, std::size_t to) {
+      if (!inside || numbers[to] != kNoTexel || grid.cut->cells[to].area <= 0.0) return;
+      numbers[to] = numbers[i];
+      front.push_back(to);
+    };
+    visit(i % nu > 0, i - 1);
+    visit(i % nu + 1 < nu, i + 1);
+    visit(i >= nu, i - nu);
+    visit(i + nu < numbers.size(), i + nu);
   }
 }
 
-void addCurvedChart(const geometry::Mesh& mesh, const Charts& charts, const Chart& chart, Draft& draft, Texels& out) {
+void addPlanarSide(const Chart& chart, const SplitGrid& grid, const vec3& n, Draft& draft,
+                   Texels& out) {
+  const std::size_t base = out.cells.size();
+  const std::size_t count = grid.cut->cells.size();
+  out.cells.resize(base + count, kNoTexel);
+  std::vector<std::size_t> cells;
+  for (std::size_t b = 0; b < grid.groups.size(); ++b) {
+    out.split.push_back(grid.groups[b] > 1 ? 1 : 0);
+    for (std::uint8_t group = 0; group < grid.groups[b]; ++group) {
+      cells.clear();
+      grid.forEachCell(b, [&](std::size_t i) {
+        if (grid.cut->cells[i].area > 0.0 && grid.cut->cells[i].owner == i &&
+            grid.group[i] == group)
+          cells.push_back(i);
+      });
+      if (cells.empty()) continue;
+      const CellSum sum(grid, chart, cells);
+      if (sum.covered()) continue;
+      const SurfacePlace place = sum.place();
+      const std::uint32_t texel =
+          draft.add(place.point, n, place.area, chart.material, place.triangle);
+      for (const std::size_t i : cells) {
+        // What matter covers takes the number of the texel that turns out to be nearest.
+        if (grid.exposed(i)) out.cells[base + i] = texel;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const Cell& c = grid.cut->cells[i];
+    if (c.area > 0.0 && c.owner != i) out.cells[base + i] = out.cells[base + c.owner];
+  }
+  spreadNumbers(grid, std::span(out.cells).subspan(base, count));
+}
+
+/// The cut grids of all planar charts, and on each side how finely.
+struct Cutting {
+  std::vector<CellGrid> cut;       ///< per chart
+  std::vector<SplitGrid> grids;    ///< per lit side of planar charts
+  std::vector<std::size_t> first;  ///< per chart, into grids
+};
+
+Cutting cutCharts(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
+                  const Texels& texels, const geometry::RayCaster* caster) {
+  const auto& charts = texels.charts.charts;
+  Cutting out;
+  out.cut.resize(charts.size());
+  for (std::size_t c = 0; c < charts.size(); ++c) {
+    out.first.push_back(out.grids.size());
+    if (!charts[c].planar) continue;
+    for (const Sides side : {kFront, kBack}) {
+      if ((charts[c].sides & side) == 0) continue;
+      SplitGrid grid;
+      grid.layout = gridLayout(charts[c].size, texels.cell, caster != nullptr);
+      grid.cut = &out.cut[c];
+      grid.group.assign(
+          static_cast<std::size_t>(grid.layout.nu) * static_cast<std::size_t>(grid.layout.nv), 0);
+      grid.groups.assign(
+          grid.group.size() / static_cast<std::size_t>(grid.layout.ku * grid.layout.kv), 1);
+      out.grids.push_back(std::move(grid));
+    }
+  }
+  out.first.push_back(out.grids.size());
+  parallelFor(charts.size(), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      if (out.first[c] == out.first[c + 1]) continue;
+      const GridLayout& layout = out.grids[out.first[c]].layout;
+      out.cut[c] = cutIntoCells(mesh, texels.charts, charts[c], layout.nu, layout.nv);
+      if (caster == nullptr) continue;
+      std::size_t g = out.first[c];
+      for (const Sides side : {kFront, kBack}) {
+        if ((charts[c].sides & side) == 0) continue;
+        out.grids[g++].outlook =
+            lookFromCells(mesh, sides, *caster, charts[c], out.cut[c], side == kFront,
+                          static_cast<float>(Texels::kGapShare * texels.cell),
+                          2.0F * static_cast<float>(texels.cell));
+      }
+    }
+  });
+  return out;
+}
+
+void addCurvedChart(const geometry::Mesh& mesh, std::span<const std::uint8_t> mesh_sides,
+                    const Chart& chart, const geometry::RayCaster* caster, Draft& draft,
+                    Texels& out) {
+  const Charts& charts = out.charts;
   // The point: on the triangle whose centre is nearest to the chart's centre of area.
   dvec3 center(0.0);
   double area = 0.0;
-  const auto triangleAt = [&](std::uint32_t k) { return charts.triangles[chart.first_triangle + k]; };
+  const auto triangleAt = [&](std::uint32_t k) {
+    return charts.triangles[chart.first_triangle + k];
+  };
   const auto corners = [&](std::uint32_t t) {
     const uvec3& i = mesh.triangles[t];
-    return std::array<dvec3, 3>{dvec3(mesh.positions[i.x]), dvec3(mesh.positions[i.y]), dvec3(mesh.positions[i.z])};
+    return std::array<dvec3, 3>{dvec3(mesh.positions[i.x]), dvec3(mesh.positions[i.y]),
+                                dvec3(mesh.positions[i.z])};
   };
   for (std::uint32_t k = 0; k < chart.triangle_count; ++k) {
     const auto c = corners(triangleAt(k));
@@ -84,7 +249,15 @@ void addCurvedChart(const geometry::Mesh& mesh, const Charts& charts, const Char
   for (const Sides side : {kFront, kBack}) {
     if ((chart.sides & side) == 0) continue;
     const vec3 n = side == kFront ? chart.normal : -chart.normal;
-    out.cells.push_back(draft.add(vec3(point), n, chart.area, chart.material, on));
+    SurfacePlace place{vec3(point), on, chart.area};
+    if (caster != nullptr) {
+      place = exposedPart(mesh, mesh_sides, *caster, charts, chart, place, n,
+                          static_cast<float>(Texels::kGapShare * out.cell));
+    }
+    out.cells.push_back(place.area > 0.0
+                            ? draft.add(place.point, n, place.area, chart.material, place.triangle)
+                            : kNoTexel);
+    out.split.push_back(0);
   }
 }
 
@@ -92,7 +265,8 @@ void addCurvedChart(const geometry::Mesh& mesh, const Charts& charts, const Char
 float uvWidth(const geometry::Mesh& mesh, std::uint32_t triangle, float area) {
   if (mesh.uvs.empty()) return 0.0F;
   const uvec3& t = mesh.triangles[triangle];
-  const vec3 n = glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]);
+  const vec3 n = glm::cross(mesh.positions[t.y] - mesh.positions[t.x],
+                            mesh.positions[t.z] - mesh.positions[t.x]);
   const vec2 a = mesh.uvs[t.y] - mesh.uvs[t.x];
   const vec2 b = mesh.uvs[t.z] - mesh.uvs[t.x];
   const float metres = glm::length(n);
@@ -116,23 +290,42 @@ vec2 uvAt(const geometry::Mesh& mesh, std::uint32_t triangle, const vec3& p) {
 }  // namespace
 
 Texels makeTexels(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides, double cell,
-                  const geometry::RayCaster* caster) {
+                  const geometry::RayCaster* caster, std::size_t count, std::size_t* useful) {
   Texels out;
   out.cell = cell;
-  out.charts = makeCharts(mesh, sides, cell);
+  // Charts of half a base cell are worth a grid of their own, as base cells may be split.
+  out.charts = makeCharts(mesh, sides, caster == nullptr ? cell : kChartShare * cell);
+  Cutting cutting = cutCharts(mesh, sides, out, caster);
+  if (caster != nullptr && count > 0) {
+    std::size_t curved = 0;
+    for (const Chart& chart : out.charts.charts)
+      curved += chart.planar ? 0 : (chart.sides == kBothSides ? 2 : 1);
+    const std::size_t splits = splitCells(cutting.grids, count - std::min(count, curved));
+    if (useful != nullptr) *useful = splits;
+  }
   Draft draft;
-  for (const Chart& chart : out.charts.charts) {
+  for (std::size_t c = 0; c < out.charts.charts.size(); ++c) {
+    const Chart& chart = out.charts.charts[c];
     Texels::Grid grid;
     grid.first = static_cast<std::uint32_t>(out.cells.size());
-    if (chart.planar) {
-      addPlanarChart(mesh, out.charts, chart, cell, draft, out, grid);
-    } else {
-      addCurvedChart(mesh, out.charts, chart, draft, out);
+    grid.first_base = static_cast<std::uint32_t>(out.split.size());
+    if (chart.planar && chart.sides != kNoSide) {
+      const GridLayout& l = cutting.grids[cutting.first[c]].layout;
+      grid.nu = l.nu;
+      grid.nv = l.nv;
+      grid.ku = l.ku;
+      grid.kv = l.kv;
+      grid.cell = cutting.cut[c].cell;
+      std::size_t g = cutting.first[c];
+      for (const Sides side : {kFront, kBack}) {
+        if ((chart.sides & side) == 0) continue;
+        addPlanarSide(chart, cutting.grids[g++], side == kFront ? chart.normal : -chart.normal,
+                      draft, out);
+      }
+    } else if (!chart.planar) {
+      addCurvedChart(mesh, sides, chart, caster, draft, out);
     }
     out.grids.push_back(grid);
-  }
-  if (caster != nullptr) {
-    measureExposure(mesh, sides, *caster, out, {draft.position, draft.normal, draft.area, draft.triangle});
   }
   const Regions regions = findRegions(out, draft.position, draft.normal, caster);
   out.receivers = light::makeReceivers(draft.position, draft.normal, kClusterSize, regions.number);
@@ -141,6 +334,7 @@ Texels makeTexels(const geometry::Mesh& mesh, std::span<const std::uint8_t> side
   out.material.resize(slots);
   out.triangle.resize(slots);
   out.openness.resize(slots);
+  out.part.resize(slots);
   out.uv.resize(slots);
   out.uv_width.resize(slots);
   for (std::size_t slot = 0; slot < slots; ++slot) {
@@ -149,6 +343,7 @@ Texels makeTexels(const geometry::Mesh& mesh, std::span<const std::uint8_t> side
     out.material[slot] = draft.material[p];
     out.triangle[slot] = draft.triangle[p];
     out.openness[slot] = regions.openness[p];
+    out.part[slot] = regions.part[p];
     out.uv[slot] = uvAt(mesh, draft.triangle[p], draft.position[p]);
     out.uv_width[slot] = uvWidth(mesh, draft.triangle[p], draft.area[p]);
   }
@@ -158,13 +353,14 @@ Texels makeTexels(const geometry::Mesh& mesh, std::span<const std::uint8_t> side
   return out;
 }
 
-double cellForCount(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides, std::size_t count,
-                    double least_cell) {
+double cellForCount(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
+                    std::size_t count, double least_cell) {
   double area = 0.0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const uvec3& t = mesh.triangles[i];
     const dvec3 a(mesh.positions[t.x]);
-    const double twice = glm::length(glm::cross(dvec3(mesh.positions[t.y]) - a, dvec3(mesh.positions[t.z]) - a));
+    const double twice =
+        glm::length(glm::cross(dvec3(mesh.positions[t.y]) - a, dvec3(mesh.positions[t.z]) - a));
     area += 0.5 * twice * ((sides[i] & kFront) + ((sides[i] & kBack) >> 1));
   }
   if (area <= 0.0) return std::max(least_cell, 0.1);
@@ -176,78 +372,9 @@ double cellForCount(const geometry::Mesh& mesh, std::span<const std::uint8_t> si
     if (ratio >= 1.0 && ratio <= 1.03) return cell;
     cell *= std::pow(ratio / 1.015, 0.55);
   }
-  while (cell > least_cell && makeTexels(mesh, sides, cell, nullptr).texelCount() < count) cell *= 0.985;
+  while (cell > least_cell && makeTexels(mesh, sides, cell, nullptr).texelCount() < count)
+    cell *= 0.985;
   return std::max(cell, least_cell);
-}
-
-std::uint32_t Texels::at(std::uint32_t mesh_triangle, bool front, const vec3& point) const {
-  const std::uint32_t c = charts.chart_of[mesh_triangle];
-  const Chart& chart = charts.charts[c];
-  const Sides side = front ? kFront : kBack;
-  if ((chart.sides & side) == 0) return kNoTexel;
-  const Grid& grid = grids[c];
-  const std::uint32_t per_side = static_cast<std::uint32_t>(grid.nu) * static_cast<std::uint32_t>(grid.nv);
-  const std::uint32_t base = grid.first + (!front && (chart.sides & kFront) != 0 ? per_side : 0U);
-  if (!chart.planar) return cells[base];
-  const vec3 d = point - chart.origin;
-  const int i = std::clamp(static_cast<int>(glm::dot(d, chart.t) / grid.cell.x), 0, grid.nu - 1);
-  const int j = std::clamp(static_cast<int>(glm::dot(d, chart.b) / grid.cell.y), 0, grid.nv - 1);
-  const auto index = static_cast<std::uint32_t>(j * grid.nu + i);
-  if (cells[base + index] != kNoTexel) return cells[base + index];
-  // Rounding put the point over a chart's slanted edge: the nearest cell with a texel.
-  for (int reach = 1; reach <= 2; ++reach) {
-    for (int dj = -reach; dj <= reach; ++dj) {
-      for (int di = -reach; di <= reach; ++di) {
-        if (i + di < 0 || j + dj < 0 || i + di >= grid.nu || j + dj >= grid.nv) continue;
-        const std::uint32_t slot = cells[base + static_cast<std::uint32_t>((j + dj) * grid.nu + i + di)];
-        if (slot != kNoTexel) return slot;
-      }
-    }
-  }
-  return kNoTexel;
-}
-
-int Texels::around(std::uint32_t mesh_triangle, bool front, const vec3& point, std::array<std::uint32_t, 4>& slots,
-                   std::array<float, 4>& weights) const {
-  const std::uint32_t c = charts.chart_of[mesh_triangle];
-  const Chart& chart = charts.charts[c];
-  const std::uint32_t own = at(mesh_triangle, front, point);
-  if (own == kNoTexel) return 0;
-  slots[0] = own;
-  weights[0] = 1.0F;
-  if (!chart.planar) return 1;
-  const Grid& grid = grids[c];
-  const std::uint32_t per_side = static_cast<std::uint32_t>(grid.nu) * static_cast<std::uint32_t>(grid.nv);
-  const std::uint32_t base = grid.first + (!front && (chart.sides & kFront) != 0 ? per_side : 0U);
-  const vec3 d = point - chart.origin;
-  const float x = std::clamp(glm::dot(d, chart.t) / grid.cell.x - 0.5F, 0.0F, static_cast<float>(grid.nu - 1));
-  const float y = std::clamp(glm::dot(d, chart.b) / grid.cell.y - 0.5F, 0.0F, static_cast<float>(grid.nv - 1));
-  const int i0 = static_cast<int>(x);
-  const int j0 = static_cast<int>(y);
-  int count = 0;
-  float sum = 0.0F;
-  for (int dj = 0; dj < 2; ++dj) {
-    for (int di = 0; di < 2; ++di) {
-      const int i = i0 + di;
-      const int j = j0 + dj;
-      if (i >= grid.nu || j >= grid.nv) continue;
-      const float wx = di == 0 ? 1.0F - (x - static_cast<float>(i0)) : x - static_cast<float>(i0);
-      const float wy = dj == 0 ? 1.0F - (y - static_cast<float>(j0)) : y - static_cast<float>(j0);
-      const std::uint32_t slot = cells[base + static_cast<std::uint32_t>(j * grid.nu + i)];
-      if (slot == kNoTexel || wx * wy <= 0.0F) continue;
-      slots[static_cast<std::size_t>(count)] = slot;
-      weights[static_cast<std::size_t>(count)] = wx * wy;
-      sum += wx * wy;
-      ++count;
-    }
-  }
-  if (count == 0) {
-    slots[0] = own;
-    weights[0] = 1.0F;
-    return 1;
-  }
-  for (int k = 0; k < count; ++k) weights[static_cast<std::size_t>(k)] /= sum;
-  return count;
 }
 
 }  // namespace soffit::transfer

@@ -46,6 +46,7 @@ void expectSameTexels(const Texels& a, const Texels& b) {
   EXPECT_TRUE(same(a.area, b.area) && same(a.material, b.material) && same(a.triangle, b.triangle));
   EXPECT_TRUE(same(a.uv, b.uv) && same(a.uv_width, b.uv_width));
   EXPECT_TRUE(same(a.openness, b.openness));
+  EXPECT_TRUE(same(a.part, b.part) && same(a.split, b.split));
   EXPECT_TRUE(same(a.grids, b.grids) && same(a.cells, b.cells));
   EXPECT_EQ(a.cell, b.cell);
   EXPECT_TRUE(same(a.charts.triangles, b.charts.triangles) &&
@@ -79,7 +80,7 @@ void expectSame(const Operators& a, const Operators& b) {
   EXPECT_EQ(a.bytes(), b.bytes());
 }
 
-constexpr std::size_t kBlocks = 39;  // of operator_arrays.h
+constexpr std::size_t kBlocks = 41;  // of operator_arrays.h
 
 TEST(CacheFile, RoundTripKeepsEveryMember) {
   const Operators& baked = smallBake();

@@ -59,8 +59,8 @@ TEST(Inconsistency, NamesThePart) {
 float use(const Operators& o, std::size_t triangles) {
   const std::size_t slots = o.texels.slotCount();
   float sum = 0.0F;
-  std::array<std::uint32_t, 4> near{};
-  std::array<float, 4> share{};
+  std::array<std::uint32_t, Texels::kMostAround> near{};
+  std::array<float, Texels::kMostAround> share{};
   for (std::uint32_t t = 0; t < triangles; ++t) {
     for (const bool front : {false, true}) {
       const int count = o.texels.around(t, front, vec3(1.0F, 0.5F, 0.25F), near, share);

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "core/transfer/cell_outlook.h"
+
+#include "core/base/parallel.h"
+#include "core/math/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace soffit::transfer {
+namespace {
+
+/// Finds what covers cells.
+class Places {
+ public:
+  Places(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
+         const geometry::RayCaster& caster, const Chart& chart, const CellGrid& cut, bool front,
+         float gap)
+      : mesh_(mesh), sides_(sides), caster_(caster), chart_(chart), cut_(cut), gap_(gap) {
+    normal_ = front ? chart.normal : -chart.normal;
+    full_ = 0.98 * static_cast<double>(cut.cell.x) * static_cast<double>(cut.cell.y);
+  }
+
+  void look(std::size_t i, CellOutlook& out) const {
+    out.point = cut_.cells[i].point;
+    out.cover = at(out.point);
+    if (out.cover == Cover::none || cut_.cells[i].area < full_) return;
+    std::array<vec3, 4> points;
+    std::array<Cover, 4> covers{};
+    std::array<int, 3> count{};
+    count[static_cast<std::size_t>(out.cover)] = 1;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const float x = (k % 2 == 0 ? -0.35F : 0.35F) * cut_.cell.x;
+      const float y = (k / 2 == 0 ? -0.35F : 0.35F) * cut_.cell.y;
+      points[k] = out.point + x * chart_.t + y * chart_.b;
+      covers[k] = at(points[k]);
+      ++count[static_cast<std::size_t>(covers[k])];
+    }
+    if (count[0] == 0 && (out.cover == Cover::gap || count[1] == 0)) return;
+    out.cover = count[0] > 0 ? Cover::none : Cover::gap;
+    out.share = static_cast<float>(count[static_cast<std::size_t>(out.cover)]) / 5.0F;
+    out.point = points[static_cast<std::size_t>(std::find(covers.begin(), covers.end(), out.cover) -
+                                                covers.begin())];
+  }
+
+ private:
+  [[nodiscard]] Cover at(const vec3& p) const {
+    return coverOf(mesh_, sides_, caster_, p, normal_, gap_);
+  }
+
+  const geometry::Mesh& mesh_;
+  std::span<const std::uint8_t> sides_;
+  const geometry::RayCaster& caster_;
+  const Chart& chart_;
+  const CellGrid& cut_;
+  float gap_;
+  vec3 normal_{0.0F};
+  double full_ = 0.0;  ///< m^2 of a cell that no edge of the chart cuts
+};
+
+}  // namespace
+
+std::vector<CellOutlook> lookFromCells(const geometry::Mesh& mesh,
+                                       std::span<const std::uint8_t> sides,
+                                       const geometry::RayCaster& caster, const Chart& chart,
+                                       const CellGrid& cut, bool front, float gap, float scale) {
+  const Places places(mesh, sides, caster, chart, cut, front, gap);
+  const vec3 n = front ? chart.normal : -chart.normal;
+  // The same directions for all cells: what differs then is the place.
+  std::array<vec3, CellOutlook::kProbes> directions;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const vec3 d = cosineHemisphere((static_cast<float>(k % 4) + 0.37F) / 4.0F,
+                                    (static_cast<float>(k / 4) + 0.59F) / 2.0F);
+    directions[k] = d.x * chart.t + d.y * chart.b + d.z * n;
+  }
+  std::vector<CellOutlook> out(cut.cells.size());
+  parallelFor(out.size(), 256, [&](std::size_t begin, std::size_t end) {
+    std::vector<geometry::Ray> rays;
+    std::vector<std::size_t> of;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (cut.cells[i].area <= 0.0) continue;
+      places.look(i, out[i]);
+      if (out[i].cover == Cover::matter) continue;
+      of.push_back(i);
+      const vec3 origin = geometry::offsetOrigin(out[i].point, n);
+      for (const vec3& d : directions) rays.push_back({origin, 0.0F, d});
+    }
+    std::vector<geometry::Hit> hits(rays.size());
+    caster.closest(rays, hits);
+    for (std::size_t r = 0; r < rays.size(); ++r) {
+      const float share = hits[r].valid() ? hits[r].t / (hits[r].t + scale) : 1.0F;
+      out[of[r / directions.size()]].distance[r % directions.size()] =
+          static_cast<std::uint8_t>(std::lround(255.0F * share));
+    }
+  });
+  return out;
+}
+
+}  // namespace soffit::transfer

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "core/transfer/texels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace soffit::transfer {
+
+std::uint32_t Texels::at(std::uint32_t mesh_triangle, bool front, const vec3& point) const {
+  const std::uint32_t c = charts.chart_of[mesh_triangle];
+  const Chart& chart = charts.charts[c];
+  if ((chart.sides & (front ? kFront : kBack)) == 0) return kNoTexel;
+  const Grid& grid = grids[c];
+  const std::uint32_t base =
+      grid.first + sideOffset(chart, front, static_cast<std::uint32_t>(grid.nu * grid.nv));
+  if (!chart.planar) return cells[base];
+  const vec3 d = point - chart.origin;
+  const int i = std::clamp(static_cast<int>(glm::dot(d, chart.t) / grid.cell.x), 0, grid.nu - 1);
+  const int j = std::clamp(static_cast<int>(glm::dot(d, chart.b) / grid.cell.y), 0, grid.nv - 1);
+  const auto index = static_cast<std::uint32_t>(j * grid.nu + i);
+  if (cells[base + index] != kNoTexel) return cells[base + index];
+  // Rounding put the point over a chart's slanted edge: the nearest cell with a texel.
+  for (int reach = 1; reach <= 2; ++reach) {
+    for (int dj = -reach; dj <= reach; ++dj) {
+      for (int di = -reach; di <= reach; ++di) {
+        if (i + di < 0 || j + dj < 0 || i + di >= grid.nu || j + dj >= grid.nv) continue;
+        const std::uint32_t slot =
+            cells[base + static_cast<std::uint32_t>((j + dj) * grid.nu + i + di)];
+        if (slot != kNoTexel) return slot;
+      }
+    }
+  }
+  return kNoTexel;
+}
+
+/// Collects the texels that a point's light is interpolated from.
+struct Texels::Near {
+  const Texels& texels;
+  const Grid& grid;
+  std::uint32_t first;  // cell of the side
+  std::uint32_t part;
+  vec2 at;  // in fine cells
+  std::array<std::uint32_t, kMostAround>& slots;
+  std::array<float, kMostAround>& weights;
+  std::size_t count = 0;
+  float sum = 0.0F;
+
+  void add(std::uint32_t slot, float weight) {
+    if (slot == kNoTexel || weight <= 0.0F || texels.part[slot] != part) return;
+    sum += weight;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (slots[k] != slot) continue;
+      weights[k] += weight;
+      return;
+    }
+    slots[count] = slot;
+    weights[count++] = weight;
+  }
+
+  [[nodiscard]] std::uint32_t slotAt(int i, int j) const {
+    return texels.cells[first + static_cast<std::uint32_t>(j * grid.nu + i)];
+  }
+
+  /// Of a base cell that is one texel: any of its fine cells that has it.
+  void addWhole(int i0, int j0, float weight) {
+    for (int j = j0; j < j0 + grid.kv; ++j) {
+      for (int i = i0; i < i0 + grid.ku; ++i) {
+        if (slotAt(i, j) == kNoTexel) continue;
+        add(slotAt(i, j), weight);
+        return;
+      }
+    }
+  }
+
+  void addSplit(int i0, int j0, float weight) {
+    const float x =
+        std::clamp(at.x - 0.5F - static_cast<float>(i0), 0.0F, static_cast<float>(grid.ku - 1));
+    const float y =
+        std::clamp(at.y - 0.5F - static_cast<float>(j0), 0.0F, static_cast<float>(grid.kv - 1));
+    const int i = static_cast<int>(x);
+    const int j = static_cast<int>(y);
+    const float fx = x - static_cast<float>(i);
+    const float fy = y - static_cast<float>(j);
+    for (int dj = 0; dj < 2 && j + dj < grid.kv; ++dj) {
+      for (int di = 0; di < 2 && i + di < grid.ku; ++di) {
+        add(slotAt(i0 + i + di, j0 + j + dj),
+            weight * (di == 0 ? 1.0F - fx : fx) * (dj == 0 ? 1.0F - fy : fy));
+      }
+    }
+  }
+};
+
+int Texels::around(std::uint32_t mesh_triangle, bool front, const vec3& point,
+                   std::array<std::uint32_t, kMostAround>& slots,
+                   std::array<float, kMostAround>& weights) const {
+  const std::uint32_t c = charts.chart_of[mesh_triangle];
+  const Chart& chart = charts.charts[c];
+  const std::uint32_t own = at(mesh_triangle, front, point);
+  if (own == kNoTexel) return 0;
+  slots[0] = own;
+  weights[0] = 1.0F;
+  if (!chart.planar) return 1;
+  const Grid& grid = grids[c];
+  const int columns = grid.nu / grid.ku;
+  const int rows = grid.nv / grid.kv;
+  const vec3 d = point - chart.origin;
+  Near near{*this,
+            grid,
+            grid.first + sideOffset(chart, front, static_cast<std::uint32_t>(grid.nu * grid.nv)),
+            part[own],
+            vec2(glm::dot(d, chart.t) / grid.cell.x, glm::dot(d, chart.b) / grid.cell.y),
+            slots,
+            weights};
+  const std::uint32_t first_base =
+      grid.first_base + sideOffset(chart, front, static_cast<std::uint32_t>(columns * rows));
+  const float x = std::clamp(near.at.x / static_cast<float>(grid.ku) - 0.5F, 0.0F,
+                             static_cast<float>(columns - 1));
+  const float y = std::clamp(near.at.y / static_cast<float>(grid.kv) - 0.5F, 0.0F,
+                             static_cast<float>(rows - 1));
+  const int i = static_cast<int>(x);
+  const int j = static_cast<int>(y);
+  for (int dj = 0; dj < 2 && j + dj < rows; ++dj) {
+    for (int di = 0; di < 2 && i + di < columns; ++di) {
+      const float wx = di == 0 ? 1.0F - (x - static_cast<float>(i)) : x - static_cast<float>(i);
+      const float wy = dj == 0 ? 1.0F - (y - static_cast<float>(j)) : y - static_cast<float>(j);
+      const int i0 = (i + di) * grid.ku;
+      const int j0 = (j + dj) * grid.kv;
+      if (split[first_base + static_cast<std::uint32_t>((j + dj) * columns + i + di)] != 0) {
+        near.addSplit(i0, j0, wx * wy);
+      } else {
+        near.addWhole(i0, j0, wx * wy);
+      }
+    }
+  }
+  if (near.count == 0 || near.sum <= 1e-6F) {
+    slots[0] = own;
+    weights[0] = 1.0F;
+    return 1;
+  }
+  for (std::size_t k = 0; k < near.count; ++k) weights[k] /= near.sum;
+  return static_cast<int>(near.count);
+}
+
+}  // namespace soffit::transfer
