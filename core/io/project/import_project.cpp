@@ -4,7 +4,9 @@
 #include "core/io/project/atomic_file.h"
 #include "core/io/project/importers.h"
 #include "core/io/project/project_folder.h"
+#include "core/io/project/room_places.h"
 #include "core/io/project/starting_place.h"
+#include "core/scene/reflectances.h"
 
 #include <fmt/format.h>
 
@@ -124,6 +126,21 @@ void takeMaterials(const LoadedModel& model, Project& project) {
   }
 }
 
+/// Somewhere to stand and to measure: in every room of a building, else where it is widest.
+void takePlaces(const geometry::Mesh& mesh, scene::Scene& scene) {
+  StartingPlace start = startingPlace(mesh);
+  scene.cameras.push_back(std::move(start.camera));
+  const geometry::RayCaster caster(mesh.positions, mesh.triangles);
+  const auto spaces = geometry::findSpaces(mesh, caster);
+  if (spaces.size() < 2) {
+    if (start.work_plane) scene.work_planes.push_back(*start.work_plane);
+    return;
+  }
+  RoomPlaces places = roomPlaces(spaces, roomNames(spaces.size()), mesh.origin);
+  scene.cameras.insert(scene.cameras.end(), places.cameras.begin(), places.cameras.end());
+  scene.work_planes = std::move(places.work_planes);
+}
+
 Project makeProject(const fs::path& file, const fs::path& model_file, const LoadedModel& model,
                     const ImportChoices& choices) {
   Project project;
@@ -133,10 +150,11 @@ Project makeProject(const fs::path& file, const fs::path& model_file, const Load
   project.scene.mesh = model.mesh;
   takeMaterials(model, project);
   project.scene.layouts.push_back({"Base", {}});
-  StartingPlace start = startingPlace(*model.mesh);
-  project.scene.cameras.push_back(std::move(start.camera));
-  if (start.work_plane) project.scene.work_planes.push_back(*start.work_plane);
+  takePlaces(*model.mesh, project.scene);
   project.warnings.insert(project.warnings.end(), model.warnings.begin(), model.warnings.end());
+  for (std::string& line : scene::implausibleReflectances(project.scene)) {
+    project.warnings.push_back(std::move(line));
+  }
   return project;
 }
 
