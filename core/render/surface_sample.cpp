@@ -98,6 +98,18 @@ void applyMaps(const geometry::Mesh& m, const Corners& c, const ViewMaterial& ma
   }
 }
 
+/// How far points are drawn toward the eye along their surface, m. Ten times what counts as being
+/// on a surface: at the foot of a wall a point must not be on the wall as well, which then would
+/// not shade it. What lies between it and the eye is free, so it stays on the open side.
+constexpr float kTowardEye = 1e-3F;
+
+vec3 drawnTowardEye(const vec3& p, const vec3& facing, const vec3& to_eye, float footprint) {
+  const vec3 along = to_eye - glm::dot(to_eye, facing) * facing;
+  const float length = glm::length(along);
+  if (length < kLeastCosine) return p;
+  return p + std::min(kTowardEye, 0.5F * footprint) / length * along;
+}
+
 }  // namespace
 
 SurfaceSample sampleSurface(const ViewScene& scene, const geometry::Ray& ray,
@@ -123,6 +135,7 @@ SurfaceSample sampleSurface(const ViewScene& scene, const geometry::Ray& ray,
       s.point.position = lifted(m, c, s.point.position, facing);
     }
   }
+  s.point.position = drawnTowardEye(s.point.position, facing, s.to_eye, s.footprint);
   applyMaps(m, c, material, !options.plain_normals, s, normal);
   if (!options.plain_normals) s.point.shading_normal = towardEye(side * normal, s.to_eye);
   return s;

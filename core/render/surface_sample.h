@@ -31,7 +31,8 @@ struct SurfaceOptions {
 /// 0.5 0.5 1 is flat) make the shading normal, bent where it would face away from the eye. Where
 /// vertex normals make a surface look convex, the position is lifted to the curve that they
 /// describe, so that the facets do not shade themselves (Hanika 2021, "Hacking the Shadow
-/// Terminator", Ray Tracing Gems II).
+/// Terminator", Ray Tracing Gems II). It is drawn toward the eye along the surface by 1 mm, or half
+/// the footprint if that is less, so that the foot of a wall is not on the wall as well.
 SurfaceSample sampleSurface(const ViewScene& scene, const geometry::Ray& ray,
                             const geometry::Hit& hit, const SurfaceOptions& options);
 

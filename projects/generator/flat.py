@@ -127,7 +127,7 @@ def make():
     project = Project("Flat", "flat.obj", exposure=0.4)
     _materials(project)
     files = flat_lighting.light(project)
-    files["rug.png"] = paintings.rug(240, 180)
+    files["rug.png"] = paintings.rug(690, 510)
     project.camera("Living room", [4.95, 2.1, 1.55], [0.9, 2.2, 0.95], 62)
     project.camera("From the sofa", [0.7, 3.9, 1.5], [4.6, 0.9, 0.95], 62)
     project.camera("Bedroom", [5.55, 3.95, 1.6], [8.6, 1.6, 0.75], 62)

@@ -149,4 +149,15 @@ def painting(index, width, height):
 
 
 def rug(width, height):
-    return png(width, height, _rug())
+    return png(width, height, _smooth(_rug(), width, height))
+
+
+def _smooth(pixel, width, height, side=4):
+    """The mean over each pixel: sharp borders would show as stairs when somebody stands on them."""
+    offsets = [((k + 0.5) / side - 0.5) for k in range(side)]
+    places = [(x / width, y / height) for y in offsets for x in offsets]
+
+    def mean(u, v):
+        colours = [pixel(u + x, v + y) for x, y in places]
+        return tuple(sum(c) / len(colours) for c in zip(*colours))
+    return mean

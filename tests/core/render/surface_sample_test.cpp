@@ -28,6 +28,22 @@ TEST(SurfaceSample, FacesTheEyeOnBothSides) {
   EXPECT_EQ(shoot(*scene, {0.3F, 0.4F, -2}, {0, 0, 1}).point.normal, vec3(0, 0, -1));
 }
 
+TEST(SurfaceSample, ThePointIsDrawnTowardTheEyeAlongItsSurface) {
+  SceneBuilder builder;
+  builder.addQuad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}, builder.addMaterial({}));
+  const auto scene = builder.build();
+  // Round-off: coordinates of a few metres in single precision.
+  constexpr float kRoundoff = 1e-6F;
+  const vec3 eye(3, 0, 4);
+  const SurfaceSample wide = shoot(*scene, eye, -eye, {.footprint = 0.1F});
+  EXPECT_NEAR(wide.point.position.x, 1e-3F, kRoundoff);
+  EXPECT_NEAR(wide.point.position.z, 0.0F, kRoundoff) << "it stays on the surface";
+  const SurfaceSample narrow = shoot(*scene, eye, -eye, {.footprint = 1e-4F});
+  EXPECT_NEAR(narrow.point.position.x, 5e-5F, kRoundoff) << "never by more than half a pixel";
+  EXPECT_NEAR(shoot(*scene, {0, 0, 4}, {0, 0, -1}, {.footprint = 0.1F}).point.position.x, 0.0F,
+              kRoundoff);
+}
+
 TEST(SurfaceSample, AlbedoFollowsTheTexture) {
   SceneBuilder builder;
   auto image =
