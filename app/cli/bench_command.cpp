@@ -72,15 +72,15 @@ Result<void> runBench(BenchArguments arguments, Session& session) {
   const auto start = std::chrono::steady_clock::now();
   fs::path& folder = arguments.sweep.folder;
   folder = arguments.common.output.empty() ? "bench" : arguments.common.output;
-  std::error_code trouble;
-  fs::create_directories(folder, trouble);
   arguments.sweep.effort.seed = arguments.common.seed;
   arguments.sweep.version = programVersion();
   ProgressBar progress;
-  BenchSweep sweep(arguments.sweep, {&progress, {}});
+  BenchSweep sweep(arguments.sweep, session.job(progress));
+  if (const auto added = addProjects(arguments, sweep, session, progress); !added) return added;
+  std::error_code trouble;
+  fs::create_directories(folder, trouble);
   if (const auto ok = checkResultFile(sweep.tableFile().string()); !ok) return ok;
   if (const auto resumed = sweep.resume(); !resumed) return resumed;
-  if (const auto added = addProjects(arguments, sweep, session, progress); !added) return added;
   if (const auto done = sweep.run(); !done) return done;
   progress.clear();
   const std::vector<design::BenchRow> rows = sweep.rows();
@@ -112,13 +112,12 @@ void addBenchCommand(CLI::App& app, Session& session) {
   addSetOption(*command, arguments->common);
   command->add_option("--threads", arguments->common.threads, "Number of threads")
       ->check(CLI::Range(1, 1024));
-  command->add_option("--seed", arguments->common.seed, "Seed of all random numbers")
-      ->capture_default_str();
+  addSeedOption(*command, arguments->common);
   addJsonOption(*command, arguments->common);
   command
       ->add_option("--budget", arguments->sweep.budget_s,
                    "Seconds; the most informative points first, a later call goes on")
-      ->check(CLI::PositiveNumber)
+      ->check(positiveNumber())
       ->capture_default_str();
   command
       ->add_option("--receivers", arguments->sweep.receivers, "Points at which errors are measured")

@@ -6,7 +6,36 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <charconv>
+#include <cmath>
+
 namespace soffit::cli {
+
+namespace {
+
+/// CLI11 takes -1 for the largest number there is.
+std::string wholeNumberFault(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits ? std::string() : fmt::format("expected a whole number from 0, found {}", text);
+}
+
+}  // namespace
+
+std::function<std::string(const std::string&)> positiveNumber() {
+  return [](const std::string& text) {
+    double value = 0.0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool good = code == std::errc() && end == text.data() + text.size() && value > 0.0 &&
+                      std::isfinite(value);
+    return good ? std::string() : fmt::format("expected a number above 0, found {}", text);
+  };
+}
+
+void addSeedOption(CLI::App& command, CommonOptions& options) {
+  command.add_option("--seed", options.seed, "Seed of all random numbers")
+      ->check(wholeNumberFault)
+      ->capture_default_str();
+}
 
 void addProjectArgument(CLI::App& command, CommonOptions& options) {
   command.add_option("P", options.project, "Project: a .soffit file, or a folder that holds one")
@@ -30,7 +59,7 @@ void addSetOption(CLI::App& command, CommonOptions& options) {
 void addComputeOptions(CLI::App& command, CommonOptions& options) {
   command.add_option("--threads", options.threads, "Number of threads; without it: all cores")
       ->check(CLI::Range(1, 1024));
-  command.add_option("--seed", options.seed, "Seed of all random numbers")->capture_default_str();
+  addSeedOption(command, options);
   command.add_option("--quality", options.quality, "Quality instead of the project's")
       ->check(CLI::IsMember({"draft", "interactive", "final"}));
   command.add_flag("--no-cache", options.no_cache, "Bake afresh instead of reading the cache");
@@ -51,7 +80,7 @@ Result<io::Project> loadForCommand(const CommonOptions& options, Session& sessio
   load.layout = options.layout;
   if (!options.quality.empty()) load.sets.push_back("quality=" + options.quality);
   load.sets.insert(load.sets.end(), options.sets.begin(), options.sets.end());
-  load.job.observer = observer;
+  load.job = {observer, session.stop.get_token()};
   auto project = io::loadProject(options.project, load);
   if (project) {
     for (const std::string& warning : project->warnings) {

@@ -7,6 +7,7 @@
 #include "core/io/project/project.h"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -37,10 +38,15 @@ void addLayoutOption(CLI::App& command, CommonOptions& options);
 void addSetOption(CLI::App& command, CommonOptions& options);
 /// --threads, --seed, --quality, --no-cache.
 void addComputeOptions(CLI::App& command, CommonOptions& options);
+/// --seed alone.
+void addSeedOption(CLI::App& command, CommonOptions& options);
 /// --json.
 void addJsonOption(CLI::App& command, CommonOptions& options);
 /// -o, --output.
 void addOutputOption(CLI::App& command, CommonOptions& options, const std::string& what);
+
+/// For CLI11's check(): a finite number above 0 (CLI::PositiveNumber prints the largest double).
+std::function<std::string(const std::string&)> positiveNumber();
 
 /// Loads the project under the layout, --quality and --set (in this order) and limits the threads.
 /// Its warnings go to session.warnings.

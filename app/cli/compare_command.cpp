@@ -129,7 +129,7 @@ Result<void> runCompare(CompareArguments arguments, Session& session) {
   const auto variants = variantsOf(*base, arguments);
   if (!variants) return variants.error();
   const io::Project& first = variants->front();
-  const Job job{&progress, {}};
+  const Job job = session.job(progress);
   const auto engine = makeEngine(first, arguments.common, false, job, session);
   if (!engine) return engine.error();
   std::vector<design::LayoutCase> layouts;
@@ -199,7 +199,7 @@ void addCompareCommand(CLI::App& app, Session& session) {
   command
       ->add_option("--range", arguments->pictures.range_lux,
                    "Ends of the difference picture's scale, lux; without it: what fits")
-      ->check(CLI::PositiveNumber);
+      ->check(positiveNumber());
   command->add_flag("--no-pictures", arguments->no_pictures, "Write the table alone");
   command->callback([&session, arguments] {
     session.run = [arguments, &session] { return runCompare(*arguments, session); };

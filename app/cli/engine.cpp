@@ -4,13 +4,19 @@
 #include "core/io/project/csv.h"
 #include "core/render/engine_light.h"
 
+#include <fmt/format.h>
+
 namespace soffit::cli {
 
 Result<Engine> makeEngine(const io::Project& project, const CommonOptions& options, bool light, const Job& job,
                           Session& session) {
   Engine engine;
   auto quality = relight::qualitySettings(project.scene.quality);
-  if (!quality) return quality.error();
+  if (!quality) {
+    Error error = quality.error();
+    error.place = fmt::format("{}: {}", project.path.string(), error.place);
+    return error;
+  }
   engine.quality = *quality;
   engine.quality.bake.seed = options.seed;
   auto solver = relight::makeSolver(project.scene, engine.quality, !options.no_cache, job, engine.report);

@@ -26,7 +26,7 @@ Result<void> runImport(const ImportOptions& options, Session& session) {
   io::ImportChoices choices;
   choices.unit = options.unit;
   if (!options.up.empty()) choices.up = options.up.front();
-  choices.job.observer = &progress;
+  choices.job = session.job(progress);
   const auto project = io::importProject(options.model, options.common.output, choices);
   progress.clear();
   if (!project) return project.error();
@@ -53,7 +53,7 @@ void addImportCommand(CLI::App& app, Session& session) {
       ->required()
       ->type_name("P.soffit");
   command->add_option("--unit", options->unit, "Metres per unit of the file")
-      ->check(CLI::PositiveNumber)
+      ->check(positiveNumber())
       ->capture_default_str();
   command
       ->add_option("--up", options->up,

@@ -8,6 +8,7 @@
 #include "core/relight/engine.h"
 #include "core/scene/reflectances.h"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <cmath>
@@ -43,7 +44,11 @@ Result<void> runInfo(const CommonOptions& options) {
   if (!project) return project.error();
   const scene::Scene& scene = project->scene;
   const auto cost = costOf(scene);
-  if (!cost) return cost.error();
+  if (!cost) {
+    Error error = cost.error();
+    error.place = fmt::format("{}: {}", project->path.string(), error.place);
+    return error;
+  }
   InfoReport report{demandOf(scene), *cost, {}, scene::materialAreas(scene), project->warnings};
   const geometry::RayCaster caster(scene.mesh->positions, scene.mesh->triangles);
   report.rooms = geometry::findSpaces(*scene.mesh, caster);

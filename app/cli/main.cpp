@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/commands.h"
 #include "app/cli/gui_launch.h"
+#include "app/cli/interruption.h"
 #include "app/cli/session.h"
 
 #include <fmt/format.h>
@@ -47,7 +48,16 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& stop) {
     return reportUsage(app, stop);
   }
-  const Result<void> result = session.run ? session.run() : openApplication(project);
+  if (!session.run) {
+    printLine(openApplication(project).message());
+    return kWrongInput;
+  }
+  const Interruption interruption(session.stop);
+  const Result<void> result = session.run();
+  if (!result && interruption.came()) {
+    printLine("interrupted; what was not finished is not written");
+    interruption.endProgram();
+  }
   if (!result) {
     printLine(result.error().message());
     return kWrongInput;

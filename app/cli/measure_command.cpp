@@ -95,7 +95,7 @@ Result<void> runMeasure(const MeasureArguments& arguments, Session& session) {
   if (!project) return project.error();
   const auto sensors = sensorsFor(*project, arguments.sensors);
   if (!sensors) return sensors.error();
-  const Job job{&progress, {}};
+  const Job job = session.job(progress);
   const auto engine = makeEngine(*project, common, true, job, session);
   if (!engine) return engine.error();
   const relight::Sensors prepared(*engine->solver, *sensors, *quantity, engine->quality.sensor_rays, common.seed);

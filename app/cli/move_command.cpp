@@ -86,7 +86,7 @@ Result<void> runMove(const MoveArguments& arguments, Session& session) {
   if (!project) return project.error();
   const auto index = findLuminaire(project->scene, arguments.luminaire);
   if (!index) return index.error();
-  const auto engine = makeEngine(*project, common, true, {&progress, {}}, session);
+  const auto engine = makeEngine(*project, common, true, session.job(progress), session);
   if (!engine) return engine.error();
   relight::Lighting& lighting = *engine->lighting;
   std::optional<relight::Sensors> prepared;
@@ -107,6 +107,7 @@ Result<void> runMove(const MoveArguments& arguments, Session& session) {
   light::DirectCounts counts;
   std::vector<Step> steps;
   for (std::size_t k = 0; k < path->size(); ++k) {
+    if (session.stop.stop_requested()) return Error{"move", "interrupted", ""};
     const auto emitter = emitterAt((*path)[k]);
     if (!emitter) return emitter.error();
     Step step;

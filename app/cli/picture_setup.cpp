@@ -7,8 +7,25 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 namespace soffit::cli {
+namespace {
+
+/// Found before the light is computed. A pixel takes about 60 bytes on the way.
+Result<std::pair<int, int>> checkedSize(int width, int height) {
+  constexpr int kMostSide = 32768;
+  constexpr std::int64_t kMostPixels = 100'000'000;
+  const bool sides = width >= 1 && height >= 1 && width <= kMostSide && height <= kMostSide;
+  if (sides && std::int64_t{width} * height <= kMostPixels) return std::pair(width, height);
+  return Error{"--size",
+               fmt::format("expected 1 to {} pixels a side and at most {} million in all, found "
+                           "{}x{}",
+                           kMostSide, kMostPixels / 1'000'000, width, height),
+               "Give for instance 1280x800."};
+}
+
+}  // namespace
 
 Result<std::pair<int, int>> parseSize(const std::string& text) {
   int width = 0;
@@ -17,7 +34,7 @@ Result<std::pair<int, int>> parseSize(const std::string& text) {
   const auto first = std::from_chars(text.data(), end, width);
   if (first.ec == std::errc() && first.ptr != end && (*first.ptr == 'x' || *first.ptr == 'X')) {
     const auto second = std::from_chars(first.ptr + 1, end, height);
-    if (second.ec == std::errc() && second.ptr == end) return std::pair(width, height);
+    if (second.ec == std::errc() && second.ptr == end) return checkedSize(width, height);
   }
   return Error{"--size", fmt::format("expected WIDTHxHEIGHT in pixels, found \"{}\"", text),
                "Give for instance 1280x800."};
@@ -44,10 +61,13 @@ Result<std::optional<double>> parseExposure(const std::string& text, double from
   if (text == "auto") return std::optional<double>();
   double ev = 0.0;
   const auto parsed = std::from_chars(text.data(), text.data() + text.size(), ev);
-  if (parsed.ec == std::errc() && parsed.ptr == text.data() + text.size() && std::isfinite(ev)) {
+  constexpr double kMostStops = 64.0;  // beyond, every picture is black or white
+  if (parsed.ec == std::errc() && parsed.ptr == text.data() + text.size() &&
+      std::abs(ev) <= kMostStops) {
     return std::optional(ev);
   }
-  return Error{"--exposure", fmt::format("expected stops (EV) or \"auto\", found \"{}\"", text),
+  return Error{"--exposure",
+               fmt::format("expected stops from -64 to 64 (EV) or \"auto\", found \"{}\"", text),
                "Give for instance -0.5."};
 }
 

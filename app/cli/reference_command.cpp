@@ -77,10 +77,10 @@ Result<void> runReference(const ReferenceOptions& options, Session& session) {
   }
   reference::EstimateOptions estimate = options.estimate;
   estimate.seed = options.common.seed;
-  Job job;
-  job.observer = &progress;
+  const Job job = session.job(progress);
   const reference::Estimate found = reference::estimate(*scene, *sensors, estimate, job);
   progress.clear();
+  if (job.cancelled()) return Error{"reference", "interrupted", ""};
   if (!found.reached) session.warnings.push_back(shortfall(found, estimate.floor_of_mean));
   return writeResult(options.common.output, toCsv(*sensors, found));
 }
@@ -108,7 +108,7 @@ void addReferenceCommand(CLI::App& app, Session& session) {
   command
       ->add_option("--time-limit", options->estimate.time_limit_s,
                    "Seconds after which to stop with what there is")
-      ->check(CLI::PositiveNumber);
+      ->check(positiveNumber());
   command->add_option("--quantity", options->estimate.quantity, "Which illuminance")
       ->transform(CLI::CheckedTransformer(quantities()))
       ->type_name("planar|cylindrical|semicylindrical|spherical|hemispherical");

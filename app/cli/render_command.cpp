@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -52,6 +53,11 @@ Result<render::PictureOptions> pictureOptions(const RenderArguments& arguments,
   return picture;
 }
 
+bool isDark(const render::Film& film) {
+  return std::all_of(film.radiance.begin(), film.radiance.end(),
+                     [](const auto& v) { return v == std::decay_t<decltype(v)>(0.0F); });
+}
+
 Result<void> runRender(const RenderArguments& arguments, Session& session,
                        const MakePictureLight& make) {
   const std::string& output = arguments.common.output;
@@ -81,7 +87,7 @@ Result<void> runRender(const RenderArguments& arguments, Session& session,
     // A few stops above white, where the views' shoulders have flattened out.
     options.edge_white = 4.0F / color::exposureScale(exposure->value_or(scene.view.exposure));
   }
-  const Job job{&progress, {}};
+  const Job job = session.job(progress);
   const auto light = make(*project, arguments.common, job);
   if (!light) return light.error();
   const auto view_scene = makeViewScene(scene, light->caster);
@@ -90,6 +96,12 @@ Result<void> runRender(const RenderArguments& arguments, Session& session,
   if (!film) return film.error();
   picture->exposure_ev = exposure->has_value() ? **exposure : color::autoExposure(film->radiance);
   progress.clear();
+  if (isDark(*film)) {
+    session.warnings.push_back(fmt::format(
+        "the picture is black: the camera \"{}\" stands inside of something or looks away from the "
+        "model, or no luminaire is on{}",
+        camera->name, project->layout.empty() ? "" : " in the layout " + project->layout));
+  }
   return writePicture(output, *film, *picture,
                       {.project = scene.name.empty() ? project->path.stem().string() : scene.name,
                        .layout = project->layout,

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/base/result.h"
 
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,10 @@ struct Session {
   std::function<Result<void>()> run;
   /// Lines for stderr once the command succeeded; after a failure stderr has just its one line.
   std::vector<std::string> warnings;
+  /// Ctrl-C asks the work to stop.
+  std::stop_source stop;
+
+  [[nodiscard]] Job job(ProgressObserver& observer) const { return {&observer, stop.get_token()}; }
 };
 
 }  // namespace soffit::cli

@@ -133,7 +133,7 @@ Result<void> runVerify(VerifyArguments arguments, Session& session) {
   ProgressBar progress;
   const auto project = loadForCommand(arguments.common, session, &progress);
   if (!project) return project.error();
-  const Job job{&progress, {}};
+  const Job job = session.job(progress);
   const auto engine = makeEngine(*project, arguments.common, false, job, session);
   if (!engine) return engine.error();
   design::VerifyOptions& options = arguments.verify;
@@ -197,7 +197,7 @@ void addVerifyCommand(CLI::App& app, Session& session) {
   command
       ->add_option("--time-limit", arguments->verify.effort.time_limit_s,
                    "Seconds for the reference, after which what there is counts")
-      ->check(CLI::PositiveNumber)
+      ->check(positiveNumber())
       ->capture_default_str();
   command->callback([&session, arguments] {
     session.run = [arguments, &session] { return runVerify(*arguments, session); };

@@ -22,6 +22,11 @@ Error vectorFault(const char* field) {
   return {field, "expected finite numbers", "Correct the numbers."};
 }
 
+Error placeFault(const char* field) {
+  return {field, fmt::format("expected finite coordinates within {:g} m of the origin", kFarthest),
+          "Correct the numbers; they are metres."};
+}
+
 bool inUnitRange(double x) {
   return x >= 0.0 && x <= 1.0;
 }  // false for NaN
@@ -72,7 +77,10 @@ class Faults {
 /// The fault of an emitter, its place below `prefix` in place of "luminaires.NAME.".
 void checkLuminaire(const light::Luminaire& luminaire, std::string_view prefix, Faults& faults) {
   const auto emitter = light::makeEmitter(luminaire);
-  if (emitter) return;
+  if (emitter) {
+    if (!isPlace(luminaire.position)) faults.add(prefix, placeFault("position"));
+    return;
+  }
   Error fault = emitter.error();
   const std::string usual = fmt::format("luminaires.{}.", luminaire.name);
   if (fault.place.starts_with(usual)) fault.place.erase(0, usual.size());
@@ -159,9 +167,13 @@ Result<void> checkMaterial(const Material& material) {
   return {};
 }
 
+bool isPlace(const dvec3& p) {
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kFarthest && isFinite(p);
+}
+
 Result<void> checkCamera(const Camera& camera) {
-  if (!isFinite(camera.position)) return vectorFault("position");
-  if (!isFinite(camera.target)) return vectorFault("target");
+  if (!isPlace(camera.position)) return placeFault("position");
+  if (!isPlace(camera.target)) return placeFault("target");
   if (camera.position == camera.target) {
     return Error{"target", "the target is where the camera stands", "Move one of them."};
   }
@@ -174,9 +186,9 @@ Result<void> checkCamera(const Camera& camera) {
 }
 
 Result<void> checkWorkPlane(const WorkPlane& plane) {
-  if (!isFinite(plane.origin)) return vectorFault("origin");
-  if (!isFinite(plane.u)) return vectorFault("u");
-  if (!isFinite(plane.v)) return vectorFault("v");
+  if (!isPlace(plane.origin)) return placeFault("origin");
+  if (!isPlace(plane.u)) return placeFault("u");
+  if (!isPlace(plane.v)) return placeFault("v");
   const double area = glm::length(glm::cross(plane.u, plane.v));
   // Relative to the sides: parallel sides leave no area but rounding.
   const double sides = glm::length(plane.u) * glm::length(plane.v);

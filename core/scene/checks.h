@@ -20,6 +20,12 @@ namespace soffit::scene {
 /// triangle indices of the mesh, and the quality preset's name.
 std::vector<Error> findFaults(const Scene& scene);
 
+/// Coordinates beyond this, m, are slips of the pen; single precision would not tell rooms apart.
+inline constexpr double kFarthest = 1e7;
+
+/// Finite and within kFarthest of the world's origin along each axis.
+bool isPlace(const dvec3& p);
+
 /// One material; place is the field ("diffuse", "glass.index").
 Result<void> checkMaterial(const Material& material);
 

@@ -2,6 +2,7 @@
 #include "core/io/project/csv.h"
 
 #include "core/io/project/atomic_file.h"
+#include "core/scene/checks.h"
 
 #include <fmt/format.h>
 
@@ -94,6 +95,12 @@ Result<Row<N>> parseRow(std::string_view line, std::string place) {
       return Error{std::move(place),
                    fmt::format("expected a finite number, found \"{}\"", fields[k].substr(0, 40)),
                    "Write it with a decimal point, in metres."};
+    }
+    if (std::abs(*number) > scene::kFarthest) {
+      return Error{std::move(place),
+                   fmt::format("expected numbers up to {:g}, found \"{}\"", scene::kFarthest,
+                               fields[k].substr(0, 40)),
+                   "Write coordinates in metres."};
     }
     row.numbers[k] = *number;
   }
