@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/image/write_image.h"
 
+#include "core/io/image/memory_file.h"
 #include "core/io/image/radiance_header.h"
 
 #include <OpenImageIO/imageio.h>
@@ -101,9 +102,19 @@ bool writePixels(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec, const s
   return output.write_image(OIIO::TypeDesc::FLOAT, image.pixels.data());
 }
 
-/// Into `temporary`; its extension is that of the wanted format.
+/// libpng and libjpeg go on when nothing can be written any more, but then their last bytes lack.
+bool isWhole(const MemoryFile& memory, const fs::path& path) {
+  const std::string extension = extensionOf(path);
+  if (extension == ".png") return memory.endsWith("IEND\xAE\x42\x60\x82");
+  if (extension.starts_with(".jp")) return memory.endsWith("\xFF\xD9");
+  return true;
+}
+
+/// Into `temporary`, by way of memory; its extension is that of the wanted format.
 Result<void> writeTo(const fs::path& temporary, const fs::path& path, const scene::Image& image,
                      const WriteOptions& options) {
+  const MemoryFile memory;
+  const std::string encoded = memory.path().string();
   const auto failed = [&](const std::string& why) {
     return Error{path.string(), fmt::format("the picture cannot be written ({})", why),
                  "Check that the folder exists, may be written to, and that the disk is not full."};
@@ -112,16 +123,23 @@ Result<void> writeTo(const fs::path& temporary, const fs::path& path, const scen
     auto output = OIIO::ImageOutput::create(temporary.string());
     if (output == nullptr) return failed(OIIO::geterror());
     const OIIO::ImageSpec spec = makeSpec(path, image, options);
-    if (!output->open(temporary.string(), spec)) return failed(output->geterror());
+    if (!output->open(encoded, spec)) return failed(output->geterror());
     const bool written = writePixels(*output, spec, image, options.dither);
     if (!output->close() || !written) return failed(output->geterror());
   } catch (const std::exception& e) {
     return failed(e.what());
   }
-  if (extensionOf(path) != ".hdr") return {};
-  Metadata header{{"SOFTWARE", kSoftware}};
-  for (const auto& line : cleaned(options.metadata)) header.push_back(line);
-  return addRadianceHeader(temporary, header);
+  if (extensionOf(path) == ".hdr") {
+    Metadata header{{"SOFTWARE", kSoftware}};
+    for (const auto& line : cleaned(options.metadata)) header.push_back(line);
+    if (auto added = addRadianceHeader(encoded, header); !added) return added;
+  }
+  if (!isWhole(memory, path)) return failed("there is no room for it");
+  std::error_code ignored;
+  fs::remove(temporary, ignored);  // of an earlier program with our number that was killed
+  const int trouble = memory.copyTo(temporary);
+  if (trouble != 0) return failed(std::generic_category().message(trouble));
+  return {};
 }
 
 }  // namespace

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "core/color/srgb.h"
+#include "core/io/image/memory_file.h"
 #include "core/io/image/read_image.h"
 #include "core/io/image/write_image.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <cerrno>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -202,6 +206,60 @@ TEST(SceneLinear, IsToldByTheExtension) {
   EXPECT_TRUE(isSceneLinear("a.EXR"));
   EXPECT_TRUE(isSceneLinear("a.hdr"));
   EXPECT_FALSE(isSceneLinear("a.png"));
+}
+
+/// As on a full disk: no file may grow beyond a few kilobytes while it lives.
+class NoRoom {
+ public:
+  NoRoom() {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit few{4096, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &few);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+  }
+  ~NoRoom() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = nullptr;
+};
+
+TEST_F(ImageFile, AFullDiskIsAnErrorAndLeavesNothing) {
+  // Not JPEG: libjpeg ends the program when it cannot write. It writes to memory, which has room on
+  // a full disk; here the limit holds for both.
+  // Noise, so that no compression makes it fit.
+  scene::Image image{96, 96, 3, {}};
+  std::uint32_t state = 1;
+  for (int i = 0; i < 96 * 96 * 3; ++i) {
+    state = state * 1664525U + 1013904223U;
+    image.pixels.push_back(static_cast<float>(state >> 8U) / 16777216.0F);
+  }
+  for (const char* name : {"a.png", "a.tif", "a.exr", "a.hdr"}) {
+    const NoRoom full;
+    const auto written = writeImage(at(name), image);
+    ASSERT_FALSE(written) << name;
+    EXPECT_THAT(written.error().message(), HasSubstr("cannot be written")) << name;
+  }
+  EXPECT_THAT(listing(), testing::IsEmpty());
+}
+
+TEST_F(ImageFile, CopyingFromMemoryNoticesAFullDisk) {
+  const MemoryFile memory;
+  std::ofstream(memory.path(), std::ios::binary) << std::string(10000, 'x');
+  EXPECT_TRUE(memory.endsWith("xxx"));
+  EXPECT_FALSE(memory.endsWith("xyx"));
+  {
+    const NoRoom full;
+    EXPECT_EQ(memory.copyTo(at("a")), EFBIG);
+  }
+  EXPECT_THAT(listing(), testing::IsEmpty());
+  EXPECT_EQ(memory.copyTo(at("a")), 0);
+  EXPECT_EQ(fs::file_size(at("a")), 10000U);
+  EXPECT_EQ(memory.copyTo(at("a")), EEXIST);
+  EXPECT_EQ(fs::file_size(at("a")), 10000U) << "another's file stays";
 }
 
 }  // namespace
