@@ -191,7 +191,11 @@ void drawPanel(const ChartPanel& panel, const vec2& corner, Canvas& canvas) {
   }
   for (std::size_t i = 0; i < std::min(panel.labels.size(), panel.front.size()); ++i) {
     if (!drawable(panel.front[i])) continue;
-    canvas.text(place(panel.front[i]) + vec2(9.0F, -8.0F), panel.labels[i], kFront);
+    // Beside its dot, on the left of it where the panel ends.
+    const vec2 dot = place(panel.front[i]);
+    const float width = render::textWidth(panel.labels[i], kText);
+    const bool fits = dot.x + 9.0F + width <= corner.x + kWidth;
+    canvas.text(dot + vec2(fits ? 9.0F : -9.0F - width, -8.0F), panel.labels[i], kFront);
   }
 }
 

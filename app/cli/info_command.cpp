@@ -8,7 +8,6 @@
 #include "core/relight/engine.h"
 #include "core/scene/reflectances.h"
 
-#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <cmath>
@@ -44,12 +43,10 @@ Result<void> runInfo(const CommonOptions& options) {
   if (!project) return project.error();
   const scene::Scene& scene = project->scene;
   const auto cost = costOf(scene);
-  if (!cost) {
-    Error error = cost.error();
-    error.place = fmt::format("{}: {}", project->path.string(), error.place);
-    return error;
-  }
-  InfoReport report{demandOf(scene), *cost, {}, scene::materialAreas(scene), project->warnings};
+  InfoReport report{
+      demandOf(scene), cost ? *cost : Cost(), {}, scene::materialAreas(scene), project->warnings};
+  // What nothing can be computed with is still worth looking at.
+  if (!cost) report.warnings.push_back(cost.error().message());
   const geometry::RayCaster caster(scene.mesh->positions, scene.mesh->triangles);
   report.rooms = geometry::findSpaces(*scene.mesh, caster);
   for (std::string& line : scene::implausibleReflectances(scene)) {

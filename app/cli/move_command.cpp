@@ -100,6 +100,7 @@ Result<void> runMove(const MoveArguments& arguments, Session& session) {
     return light::makeEmitter(moving, project->scene.mesh->origin);
   };
   for (std::size_t k = 0; k < 5; ++k) {
+    if (session.stop.stop_requested()) return Error{"move", "interrupted", ""};
     const auto emitter = emitterAt((*path)[k % path->size()]);
     if (!emitter) return emitter.error();
     lighting.move(*emitter);

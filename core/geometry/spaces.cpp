@@ -23,6 +23,7 @@ constexpr float kStepDown = 0.3F, kStepUp = 1.2F;
 constexpr float kLeastArea = 1.5F, kLeastSide = 0.8F;
 constexpr float kEye = 1.6F;
 constexpr float kStandOff = 0.35F;  // m, of the corner from walls
+constexpr float kFree = 1.2F;       // m, of sight from the corner into the room
 constexpr int kDirections = 32;
 constexpr int kSurfaces = 200;  // followed on one plumb line
 
@@ -197,6 +198,20 @@ int centerCell(const Plan& plan, const std::vector<int>& steps) {
   return best;
 }
 
+/// Whether somebody at `from` who looks toward `to` has nothing right before the face.
+bool looksFreely(const RayCaster& caster, const vec3& from, const vec3& to) {
+  const vec3 ahead = to - from;
+  if (caster.occluded({.origin = from, .direction = ahead, .t_max = 1.0F})) return false;
+  const float heading = std::atan2(ahead.y, ahead.x);
+  for (const float aside : {-0.6F, -0.3F, 0.3F, 0.6F}) {
+    for (const float down : {0.0F, -0.35F}) {
+      const vec3 direction(std::cos(heading + aside), std::sin(heading + aside), down);
+      if (reach(caster, from, direction) < kFree) return false;
+    }
+  }
+  return true;
+}
+
 /// The farthest place with room to stand that sees the center at eye height.
 vec2 cornerOf(const Plan& plan, const RayCaster& caster, const std::vector<int>& steps,
               const std::vector<float>& floors, const Space& space) {
@@ -208,9 +223,7 @@ vec2 cornerOf(const Plan& plan, const RayCaster& caster, const std::vector<int>&
     if (steps[k] < off || floors[k] > space.floor + kStepDown) continue;
     const vec2 at = plan.center(c);
     if (glm::distance(at, space.center) <= glm::distance(best, space.center)) continue;
-    const vec3 from(at, eye);
-    const vec3 to(space.center, eye);
-    if (!caster.occluded({.origin = from, .direction = to - from, .t_max = 1.0F})) best = at;
+    if (looksFreely(caster, vec3(at, eye), vec3(space.center, eye))) best = at;
   }
   return best;
 }

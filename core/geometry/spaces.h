@@ -16,7 +16,7 @@ struct Space {
   float area = 0.0F;    ///< m², by cells of the plan
   Box box;              ///< of its cells, floor to ceiling
   vec2 center{0.0F};    ///< where the walls are farthest
-  vec2 corner{0.0F};    ///< the farthest place from which the center is seen at eye height
+  vec2 corner{0.0F};    ///< far from the center, with a free view of it at eye height
   vec2 rectangle_lo{0.0F}, rectangle_hi{0.0F};  ///< the largest along x and y in the plan
 };
 

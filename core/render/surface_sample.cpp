@@ -106,8 +106,8 @@ constexpr float kTowardEye = 1e-3F;
 vec3 drawnTowardEye(const vec3& p, const vec3& facing, const vec3& to_eye, float footprint) {
   const vec3 along = to_eye - glm::dot(to_eye, facing) * facing;
   const float length = glm::length(along);
-  if (length < kLeastCosine) return p;
-  return p + std::min(kTowardEye, 0.5F * footprint) / length * along;
+  // Straight from above there is no such direction: less and less toward it.
+  return p + std::min(kTowardEye, 0.5F * footprint) / std::max(length, kLeastCosine) * along;
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ Error vectorFault(const char* field) {
   return {field, "expected finite numbers", "Correct the numbers."};
 }
 
-Error placeFault(const char* field) {
-  return {field, fmt::format("expected finite coordinates within {:g} m of the origin", kFarthest),
+Error placeFault(const char* field, const dvec3& p) {
+  if (!isFinite(p)) return vectorFault(field);
+  return {field, fmt::format("expected coordinates within {:g} m of the origin", kFarthest),
           "Correct the numbers; they are metres."};
 }
 
@@ -78,7 +79,9 @@ class Faults {
 void checkLuminaire(const light::Luminaire& luminaire, std::string_view prefix, Faults& faults) {
   const auto emitter = light::makeEmitter(luminaire);
   if (emitter) {
-    if (!isPlace(luminaire.position)) faults.add(prefix, placeFault("position"));
+    if (!isPlace(luminaire.position)) {
+      faults.add(prefix, placeFault("position", luminaire.position));
+    }
     return;
   }
   Error fault = emitter.error();
@@ -172,8 +175,8 @@ bool isPlace(const dvec3& p) {
 }
 
 Result<void> checkCamera(const Camera& camera) {
-  if (!isPlace(camera.position)) return placeFault("position");
-  if (!isPlace(camera.target)) return placeFault("target");
+  if (!isPlace(camera.position)) return placeFault("position", camera.position);
+  if (!isPlace(camera.target)) return placeFault("target", camera.target);
   if (camera.position == camera.target) {
     return Error{"target", "the target is where the camera stands", "Move one of them."};
   }
@@ -186,9 +189,9 @@ Result<void> checkCamera(const Camera& camera) {
 }
 
 Result<void> checkWorkPlane(const WorkPlane& plane) {
-  if (!isPlace(plane.origin)) return placeFault("origin");
-  if (!isPlace(plane.u)) return placeFault("u");
-  if (!isPlace(plane.v)) return placeFault("v");
+  if (!isPlace(plane.origin)) return placeFault("origin", plane.origin);
+  if (!isPlace(plane.u)) return placeFault("u", plane.u);
+  if (!isPlace(plane.v)) return placeFault("v", plane.v);
   const double area = glm::length(glm::cross(plane.u, plane.v));
   // Relative to the sides: parallel sides leave no area but rounding.
   const double sides = glm::length(plane.u) * glm::length(plane.v);

@@ -96,7 +96,7 @@ Result<Row<N>> parseRow(std::string_view line, std::string place) {
                    fmt::format("expected a finite number, found \"{}\"", fields[k].substr(0, 40)),
                    "Write it with a decimal point, in metres."};
     }
-    if (std::abs(*number) > scene::kFarthest) {
+    if (k < 3 && std::abs(*number) > scene::kFarthest) {
       return Error{std::move(place),
                    fmt::format("expected numbers up to {:g}, found \"{}\"", scene::kFarthest,
                                fields[k].substr(0, 40)),

@@ -29,7 +29,7 @@ scene::Camera cameraIn(const geometry::Space& space, const dvec3& origin) {
   camera.position = tidy(origin + floor + dvec3(dvec2(space.corner), eye));
   camera.target = tidy(origin + floor + dvec3(dvec2(space.center), 0.75 * eye));
   // A room without a corner to stand in is looked at from its middle.
-  if (space.corner == space.center) camera.target.x += 1.0;
+  if (space.corner == space.center) camera.target.x = tidy(camera.target.x + 1.0);
   camera.vertical_fov_deg = 60.0;
   return camera;
 }

@@ -74,12 +74,12 @@ TEST_F(RenderCommand, SaysWhatIsWrongBeforeTheLightIsComputed) {
       {"-o", at("a.png"), "--size", "640"},
       "--size: expected WIDTHxHEIGHT in pixels, found \"640\". Give for instance 1280x800.");
   expectError({"-o", at("a.png"), "--size", "0x600"},
-              "size: expected 1 to 32768 pixels a side, found 0 x 600");
+              "--size: expected 1 to 32768 pixels a side and at most 100 million in all, found 0x600");
   expectError({"-o", at("a.png"), "--camera", "Back"},
               "--camera: the project has no camera \"Back\". It has: Front.");
   expectError(
       {"-o", at("a.png"), "--exposure", "bright"},
-      "--exposure: expected stops (EV) or \"auto\", found \"bright\". Give for instance -0.5.");
+      "--exposure: expected stops from -64 to 64 (EV) or \"auto\", found \"bright\". Give for instance -0.5.");
   expectError({"-o", at("a.png"), "--ocio-view", "Magic"}, "the OCIO config has no view \"Magic\"");
   expectError({"-o", at("a.png"), "--ocio-view", "False colour", "--range", "5,5"},
               "false colour range");

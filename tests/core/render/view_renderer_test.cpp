@@ -67,8 +67,11 @@ TEST(RenderView, APointLightFollowsCosineAndSquareOfTheDistance) {
   for (const int x : {3, 20, 31, 50}) {
     for (const int y : {2, 24, 40}) {
       const geometry::Ray ray = frame.ray(x + 0.5, y + 0.5);
-      const dvec3 p =
-          dvec3(ray.origin) - dvec3(ray.direction) * dvec3(ray.origin).z / dvec3(ray.direction).z;
+      const dvec3 eye(ray.origin);
+      const dvec3 hit = eye - dvec3(ray.direction) * eye.z / dvec3(ray.direction).z;
+      // Points are lit 1 mm nearer to the eye (surface_sample.h).
+      const dvec3 level = -dvec3(ray.direction.x, ray.direction.y, 0.0F);
+      const dvec3 p = hit + 1e-3 / std::max(glm::length(level), 0.02) * level;
       const dvec3 d = dvec3(1, 0, 2) - p;
       const double r = glm::length(d);
       const double expected = 0.5 / kPi * 100.0 * (d.z / r) / (r * r);

@@ -108,6 +108,20 @@ TEST(FindFaults, CamerasLookSomewhere) {
             "cameras.Entrance.position: expected finite numbers. Correct the numbers.");
 }
 
+TEST(FindFaults, NothingIsFartherThanTheEarthIsWide) {
+  const std::string rest =
+      ": expected coordinates within 1e+07 m of the origin. Correct the numbers; they are metres.";
+  EXPECT_EQ(faultAfter([](Scene& s) { s.cameras[0].position.x = 1e30; }),
+            "cameras.Entrance.position" + rest);
+  EXPECT_EQ(faultAfter([](Scene& s) { s.cameras[0].target.y = -2e7; }),
+            "cameras.Entrance.target" + rest);
+  EXPECT_EQ(faultAfter([](Scene& s) { s.work_planes[0].origin.z = 1e8; }),
+            "work_planes.Desks.origin" + rest);
+  EXPECT_EQ(faultAfter([](Scene& s) { s.work_planes[0].u.x = 1e8; }), "work_planes.Desks.u" + rest);
+  EXPECT_EQ(faultAfter([](Scene& s) { s.luminaires[1].position.x = 1e8; }),
+            "luminaires.Lamp.position" + rest);
+}
+
 TEST(FindFaults, WorkPlanesHaveAnAreaAndCells) {
   const std::string no_area =
       "work_planes.Desks.u: u and v span no area. Give both a length, in different directions.";

@@ -67,6 +67,8 @@ TEST(ParseSensors, ErrorsNameTheLine) {
   EXPECT_EQ(
       errorOf("x,y,z,nx,ny,nz\n1,2,,0,0,1\n"),
       "s.csv:2: expected a finite number, found \"\". Write it with a decimal point, in metres.");
+  EXPECT_EQ(errorOf("x,y,z,nx,ny,nz\n1,2,1e30,0,0,1\n"),
+            "s.csv:2: expected numbers up to 1e+07, found \"1e30\". Write coordinates in metres.");
   EXPECT_EQ(errorOf("x,y,z,nx,ny,nz\n1,2,3,0,0,0\n"),
             "s.csv:2: the normal nx,ny,nz has no length. Give the direction that the sensor faces, "
             "0,0,1 for upward.");

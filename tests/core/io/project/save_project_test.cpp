@@ -57,7 +57,7 @@ TEST(SaveProject, WritesOnlyWhatChanged) {
 TEST(SaveProject, DoublesAreLossless) {
   Saved folder;
   folder.project.scene.luminaires[0].position = {0.1 + 0.2, 1.0 / 3.0, 1e-17};
-  folder.project.scene.cameras[0].target = {std::nextafter(1.0, 2.0), 5e-324, -1e300};
+  folder.project.scene.cameras[0].target = {std::nextafter(1.0, 2.0), 5e-324, std::nextafter(-1e7, 0.0)};
   folder.project.scene.view.exposure = 0.1F;
   folder.roundTrip();  // compares without tolerance
 }
