@@ -1,96 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "tests/core/reference/shared_rooms.h"
 #include "rooms.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <map>
-#include <sstream>
-#include <string>
 
-/// The two rooms of ../shared/reference, whose illuminances another path tracer found.
 namespace soffit::reference {
 namespace {
 
-struct SharedRoom {
-  std::string name;
-  std::map<std::string, double> reflectances;
-  light::Rectangle panel;
-  double flux = 0.0;
-};
-
-const SharedRoom kCornell{"cornell",
-                          {{"floor", 0.3},
-                           {"ceiling", 0.75},
-                           {"wall", 0.7},
-                           {"wallW", 0.6},
-                           {"wallE", 0.3},
-                           {"block", 0.5},
-                           {"block2", 0.65}},
-                          {0.6, 0.6},
-                          3500.0};
-const SharedRoom kFlat{"flat",
-                       {{"floor", 0.35},
-                        {"ceiling", 0.8},
-                        {"wall", 0.7},
-                        {"frame", 0.6},
-                        {"wood", 0.4},
-                        {"fabric", 0.3},
-                        {"white", 0.75},
-                        {"door", 0.65}},
-                       {0.4, 0.4},
-                       2500.0};
-
-std::string fileOf(const SharedRoom& room, const std::string& file) {
-  return std::string(SOFFIT_SHARED_DIR) + "/reference/" + room.name + "/" + file;
-}
-
-/// Reads the v, f (triangles without slashes) and usemtl lines of the room's OBJ file.
-scene::Scene sceneOf(const SharedRoom& room) {
-  auto mesh = std::make_shared<geometry::Mesh>();
-  scene::Scene scene;
-  std::ifstream file(fileOf(room, room.name + ".obj"));
-  std::string line;
-  while (std::getline(file, line)) {
-    std::istringstream in(line);
-    std::string key;
-    in >> key;
-    if (key == "v") {
-      vec3 p;
-      in >> p.x >> p.y >> p.z;
-      mesh->positions.push_back(p);
-    } else if (key == "f") {
-      uvec3 t;
-      in >> t.x >> t.y >> t.z;
-      mesh->triangles.push_back(t - 1U);
-      mesh->material_of.push_back(static_cast<std::uint32_t>(scene.materials.size() - 1));
-    } else if (key == "usemtl") {
-      std::string name;
-      in >> name;
-      scene.materials.push_back(test::matte(room.reflectances.at(name)));
-    }
-  }
-  scene.mesh = mesh;
-  return scene;
-}
-
-std::vector<std::vector<double>> numbersOf(const std::string& path, std::size_t skip) {
-  std::vector<std::vector<double>> rows;
-  std::ifstream file(path);
-  std::string line;
-  std::getline(file, line);  // header
-  while (std::getline(file, line)) {
-    std::vector<double> row;
-    std::istringstream in(line);
-    std::string cell;
-    for (std::size_t i = 0; std::getline(in, cell, ','); ++i) {
-      if (i >= skip) row.push_back(std::stod(cell));
-    }
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
+using namespace shared_rooms;
 
 struct Comparison {
   double z_rms = 0.0;
@@ -99,21 +18,14 @@ struct Comparison {
 };
 
 /// Every `stride`-th sensor with the light at a position of the path.
-Comparison compare(const SharedRoom& room, std::size_t position, std::size_t stride) {
-  const auto path = numbersOf(fileOf(room, "path.csv"), 0);
-  light::Luminaire panel = test::luminaire(
-      room.panel, {path[position][0], path[position][1], path[position][2]}, room.flux);
-  panel.casts_shadow = true;
-  const ReferenceScene scene = test::prepare(sceneOf(room), {panel});
-
-  // After sensor, surface, room: x, y, z, nx, ny, nz, then lux and standard error per position.
-  const auto rows = numbersOf(fileOf(room, "reference.csv"), 3);
+Comparison compare(const Room& room, std::size_t position, std::size_t stride) {
+  const ReferenceScene scene = test::prepare(sceneOf(room), {panelAt(room, position)});
+  const std::vector<Row> rows = rowsOf(room);
   std::vector<scene::Sensor> sensors;
   std::vector<std::pair<double, double>> expected;
   for (std::size_t i = 0; i < rows.size(); i += stride) {
-    const auto& r = rows[i];
-    sensors.push_back({{r[0], r[1], r[2]}, {r[3], r[4], r[5]}});
-    expected.emplace_back(r[6 + 2 * position], r[7 + 2 * position]);
+    sensors.push_back(rows[i].sensor);
+    expected.emplace_back(rows[i].lux[position], rows[i].standard_error[position]);
   }
   EstimateOptions options;
   options.relative_error = 0.02;
