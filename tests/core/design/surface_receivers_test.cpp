@@ -37,6 +37,49 @@ TEST(DrawReceivers, LooksIntoTheRoomAndOutOfSolids) {
   }
 }
 
+TEST(DrawReceivers, LeavesOutWhatStandsUnderMatter) {
+  // A cabinet that sinks 2 mm into the floor: nobody sees the floor beneath it.
+  scene::Scene scene = blockRoom();
+  auto mesh = std::make_shared<geometry::Mesh>(*scene.mesh);
+  relight::testing::addBox(*mesh, {2.4F, 3.1F, -0.002F}, {3.37F, 4.46F, 0.9F}, false, 0);
+  scene.mesh = mesh;
+  constexpr std::size_t kCount = 4000;
+  const auto receivers = drawReceivers(*solverOf(scene), kCount, 1);
+  ASSERT_EQ(receivers.size(), kCount);
+  int floor = 0;
+  int top = 0;
+  for (const SurfaceReceiver& r : receivers) {
+    const bool over =
+        r.position.x > 2.4 && r.position.x < 3.37 && r.position.y > 3.1 && r.position.y < 4.46;
+    if (std::abs(r.position.z) < 1e-3 && r.normal.z > 0) {
+      ++floor;
+      EXPECT_FALSE(over) << r.position.x << ' ' << r.position.y;
+    }
+    top += over && std::abs(r.position.z - 0.9) < 1e-3 ? 1 : 0;
+  }
+  // What is left is still uniform by area: the floor without the footprint against the top.
+  const double footprint = 0.97 * 1.36;
+  const double share = footprint / (20.0 - footprint + footprint);
+  const double sigma = std::sqrt(share * (1.0 - share) / (floor + top));
+  // Statistical: 4 sigma of a binomial count, 6e-5 of false alarms.
+  EXPECT_NEAR(static_cast<double>(top) / (floor + top), share, 4.0 * sigma);
+}
+
+TEST(DrawReceivers, KeepsTheFloorUnderATable) {
+  // Dark, but seen: a table of 5 cm thickness, 70 cm above.
+  scene::Scene scene = blockRoom();
+  auto mesh = std::make_shared<geometry::Mesh>(*scene.mesh);
+  relight::testing::addBox(*mesh, {2.4F, 3.1F, 0.7F}, {3.4F, 4.4F, 0.75F}, false, 0);
+  scene.mesh = mesh;
+  const auto receivers = drawReceivers(*solverOf(scene), 2000, 1);
+  const auto below =
+      std::count_if(receivers.begin(), receivers.end(), [](const SurfaceReceiver& r) {
+        return std::abs(r.position.z) < 1e-3 && r.position.x > 2.4 && r.position.x < 3.4 &&
+               r.position.y > 3.1 && r.position.y < 4.4;
+      });
+  EXPECT_GT(below, 10);  // 1.3 of 105 m^2: 25 expected
+}
+
 TEST(DrawReceivers, DependsOnTheSeedAlone) {
   const auto solver = solverOf(blockRoom());
   const auto a = drawReceivers(*solver, 50, 3);
