@@ -107,6 +107,14 @@ TEST(CellGrid, SliversJoinANeighbour) {
   EXPECT_GT(joined, 0U);
 }
 
+TEST(CellGrid, NothingIsLostWhereADiagonalMeetsTheGridsCorners) {
+  // Whole numbers of cells along both sides: the diagonal passes through corners of cells, where
+  // rounding puts it now on one side, now on the other.
+  const Cut c = cut(fan({{0, 0}, {4, 0}, {4, 3}, {0, 3}}), 0.1);
+  expectSound(c);
+  for (const Cell& cell : c.grid.cells) EXPECT_NEAR(cell.area, 0.01, 1e-6);
+}
+
 TEST(CellGrid, SmallerThanACellItIsOneCell) {
   const Cut c = cut(fan({{0, 0}, {0.1F, 0}, {0.1F, 0.1F}, {0, 0.1F}}), 0.12);
   EXPECT_EQ(c.grid.cells.size(), 1U);
