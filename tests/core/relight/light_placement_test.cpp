@@ -9,7 +9,6 @@ namespace {
 using namespace testing;
 
 constexpr double kRho = 0.6;
-constexpr double kSurface = 2 * (4 * 5 + 4 * 3 + 5 * 3);  ///< m^2 of emptyRoom()
 
 const std::shared_ptr<const Solver>& emptyRoom() {
   static const auto solver = [] {
