@@ -119,6 +119,9 @@ class Stage {
     r.lanes = 0;
     for (std::size_t i = 0; i < lux.size(); ++i) r.lanes |= (lux[i] > 0.0 ? 1U : 0U) << i;
     const bool any = r.lanes != 0;
+    if (any && light_.form() == PreparedLight::Form::facing && !nothing(scratch) && spread(b)) {
+      return oneByOne(slot, r, lux, scratch, counts);
+    }
     scratch.found.whole.clear();
     MaskLight facing;
     if (any && !nothing(scratch)) {
@@ -144,14 +147,51 @@ class Stage {
     visibility(facing, distance, r, blockers, sums);
     bool lit = false;
     for (std::size_t i = 0; i < lux.size(); ++i) {
-      float share = 1.0F;
-      if (sums.total[i] > 0.0F) {
-        share = sums.visible[i] / sums.total[i];
-      } else if (sums.plain_total[i] > 0.0F) {
-        share = sums.plain_visible[i] / sums.plain_total[i];
-      }
-      out[i] = static_cast<float>(lux[i] * static_cast<double>(std::min(share, 1.0F)));
+      out[i] = static_cast<float>(lux[i] * static_cast<double>(visibleShare(sums, i)));
       lit = lit || out[i] > 0.0F;
+    }
+    return lit;
+  }
+
+  static float visibleShare(const MaskSums& sums, std::size_t i) {
+    float share = 1.0F;
+    if (sums.total[i] > 0.0F) {
+      share = sums.visible[i] / sums.total[i];
+    } else if (sums.plain_total[i] > 0.0F) {
+      share = sums.plain_visible[i] / sums.plain_total[i];
+    }
+    return std::min(share, 1.0F);
+  }
+
+  /// Whether a group sees a round light from such different sides that no one face of it stands for
+  /// all: sensors far apart, or points close to the light.
+  [[nodiscard]] bool spread(const Receivers::Bounds& b) const {
+    const vec3 center(light_.emitter().position);
+    return b.box.diagonal() > 0.5F * std::sqrt(b.box.distanceSquared(center));
+  }
+
+  /// A group of a round light, each point with the face that is turned to it.
+  bool oneByOne(std::uint32_t slot, MaskReceivers r, const std::array<double, 16>& lux, Scratch& scratch,
+                DirectCounts& counts) const {
+    bool lit = false;
+    const std::uint32_t lanes = r.lanes;
+    for (std::uint32_t i = 0; i < Receivers::kGroup; ++i) {
+      float& out = lux_[slot + i];
+      out = 0.0F;
+      if ((lanes >> i & 1U) == 0) continue;
+      Receivers::Bounds b;
+      b.box.add(receivers_.position(slot + i));
+      b.normal = receivers_.normal(slot + i);
+      b.plane_min = glm::dot(b.normal, receivers_.position(slot + i));
+      const MaskLight facing = light_.facing(b.box.center());
+      const vec4 cut(facing.normal, glm::dot(facing.normal, facing.origin));
+      findBlockers(b, &cut, scratch);
+      counts.blocker_tests += scratch.found.whole.size();
+      MaskSums sums;
+      r.lanes = 1U << i;
+      visibility(facing, boxDistance(b.box, light_.emitter().bounds), r, scratch.found.whole, sums);
+      out = static_cast<float>(lux[i] * static_cast<double>(visibleShare(sums, i)));
+      lit = lit || out > 0.0F;
     }
     return lit;
   }

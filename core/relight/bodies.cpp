@@ -26,6 +26,18 @@ void pushTriangle(const dvec3& a, const dvec3& b, const dvec3& c, bool solid, st
   out.push_back(polygon(corners, solid));
 }
 
+bool isConvex(std::span<const dvec3> outline, const dvec3& n) {
+  bool left = true;
+  bool right = true;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const dvec3& b = outline[(i + 1) % outline.size()];
+    const double turn = glm::dot(n, glm::cross(b - outline[i], outline[(i + 2) % outline.size()] - b));
+    left = left && turn >= 0.0;
+    right = right && turn <= 0.0;
+  }
+  return left || right;
+}
+
 /// A regular outline with the disk's area as a fan of quads.
 void pushDisk(const dvec3& center, const dvec3& axis, double radius, std::vector<light::MaskBlocker>& out) {
   constexpr int kCorners = 24;
@@ -106,12 +118,10 @@ std::vector<light::MaskBlocker> bodyBlockers(const light::Emitter& e) {
     case light::EmitterKind::planar:
       if (e.disk) {
         pushDisk(e.position, e.normal, e.radius, out);
-      } else if (e.outline.size() == 4) {
+      } else if (e.outline.size() == 4 && isConvex(e.outline, e.normal)) {
         out.push_back(polygon(e.outline, false));
       } else {
-        for (std::size_t i = 0; i + 2 < e.corners.size(); i += 3) {
-          pushTriangle(e.corners[i], e.corners[i + 1], e.corners[i + 2], false, out);
-        }
+        for (const uvec3& t : e.outline_triangles) pushTriangle(e.outline[t.x], e.outline[t.y], e.outline[t.z], false, out);
       }
       break;
     case light::EmitterKind::mesh:

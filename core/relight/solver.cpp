@@ -294,8 +294,16 @@ void Solver::addCluster(const Column& column, const vec4& w, std::size_t i, Plan
     const transfer::ClusterWeights& cw = op.clusters[i];
     std::array<vec4, 256> y;
     for (std::uint32_t k = 0; k < cw.rank; ++k) y[k] = w * column.skeleton[cw.first_list + k];
+    // Weights may be negative; light is not.
+    alignas(64) std::array<std::array<float, 256>, 3> light{};
     transfer::interpolate(std::span(op.weights).subspan(cw.first_weight, cw.rank * slots),
-                          std::span<const vec4>(y.data(), cw.rank), slots, r, g, b);
+                          std::span<const vec4>(y.data(), cw.rank), slots, light[0].data(), light[1].data(),
+                          light[2].data());
+    for (std::size_t s = 0; s < slots; ++s) {
+      r[s] += std::max(0.0F, light[0][s]);
+      g[s] += std::max(0.0F, light[1][s]);
+      b[s] += std::max(0.0F, light[2][s]);
+    }
   } else if (!column.node[0].empty()) {
     for (std::uint32_t s = c.begin; s < c.end; ++s) {
       const transfer::Nodes::Patch& p = op.nodes.patches[op.nodes.patch_of[s]];

@@ -85,6 +85,7 @@ FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, con
 /// Invalid texels show the light of the nearest valid one of their cluster.
 void fillInvalid(const FirstHits& first, Operators& operators) {
   const Texels& texels = operators.texels;
+  const auto chartOf = [&](std::uint32_t slot) { return texels.charts.chart_of[texels.triangle[slot]]; };
   operators.area = texels.area;
   operators.fill_from.resize(texels.slotCount());
   for (const light::Receivers::Cluster& c : texels.receivers.clusters) {
@@ -96,6 +97,8 @@ void fillInvalid(const FirstHits& first, Operators& operators) {
       float best = 1e30F;
       for (std::uint32_t o = c.begin; o < c.begin + c.used; ++o) {
         if (first.valid[o] == 0 || glm::dot(texels.receivers.normal(o), texels.receivers.normal(s)) < 0.7F) continue;
+        // A door's leaf in a reveal: the light on its other side is not this texel's.
+        if (chartOf(o) == chartOf(s) && texels.part[o] != texels.part[s]) continue;
         const vec3 d = texels.receivers.position(o) - texels.receivers.position(s);
         if (glm::dot(d, d) < best) {
           best = glm::dot(d, d);

@@ -58,6 +58,33 @@ class Places {
   double full_ = 0.0;  ///< m^2 of a cell that no edge of the chart cuts
 };
 
+/// Rays from cell to cell just above the surface.
+void findWalls(const geometry::RayCaster& caster, const vec3& n, const CellGrid& cut, std::span<CellOutlook> cells) {
+  const float lift = 0.2F * std::max(cut.cell.x, cut.cell.y);
+  const auto nu = static_cast<std::size_t>(cut.nu);
+  parallelFor(cells.size(), 256, [&](std::size_t begin, std::size_t end) {
+    std::vector<geometry::Ray> rays;
+    std::vector<std::pair<std::size_t, std::uint8_t>> of;
+    const auto usable = [&](std::size_t i) { return cut.cells[i].area > 0.0 && cells[i].cover != Cover::matter; };
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!usable(i)) continue;
+      const auto add = [&](std::size_t to, std::uint8_t bit) {
+        if (!usable(to)) return;
+        const vec3 from = cells[i].point + lift * n;
+        rays.push_back({from, 0.0F, cells[to].point + lift * n - from, 1.0F});
+        of.emplace_back(i, bit);
+      };
+      if (i % nu + 1 < nu) add(i + 1, std::uint8_t{1});
+      if (i + nu < cells.size()) add(i + nu, std::uint8_t{2});
+    }
+    std::vector<std::uint8_t> blocked(rays.size(), 0);
+    caster.occluded(rays, blocked);
+    for (std::size_t r = 0; r < rays.size(); ++r) {
+      if (blocked[r] != 0) cells[of[r].first].walls |= of[r].second;
+    }
+  });
+}
+
 }  // namespace
 
 std::vector<CellOutlook> lookFromCells(const geometry::Mesh& mesh,
@@ -93,6 +120,7 @@ std::vector<CellOutlook> lookFromCells(const geometry::Mesh& mesh,
           static_cast<std::uint8_t>(std::lround(255.0F * share));
     }
   });
+  findWalls(caster, n, cut, out);
   return out;
 }
 

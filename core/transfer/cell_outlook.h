@@ -18,7 +18,9 @@ struct CellOutlook {
   static constexpr std::size_t kProbes = 8;
   Cover cover = Cover::none;
   float share = 1.0F;  ///< of the cell that `cover` holds for
-  vec3 point{0.0F};    ///< where it was looked from
+  /// Bits: 1 when something stands between this cell and the next along t, 2 along b.
+  std::uint8_t walls = 0;
+  vec3 point{0.0F};  ///< where it was looked from
   /// 255 t / (t + scale) of the distance t to the next surface in fixed directions about the
   /// normal: two cells of one chart that receive much the same light have much the same values.
   std::array<std::uint8_t, kProbes> distance{};

@@ -84,6 +84,8 @@ std::array<Group, 2> halve(const SplitGrid& grid, const Group& group) {
   return parts;
 }
 
+constexpr double kForced = 1e300;
+
 /// One more texel in a base cell: groups as they are after it.
 struct Step {
   double gain = 0.0;
@@ -108,17 +110,50 @@ std::array<std::uint8_t, 16> numbersOf(const SplitGrid& grid, std::size_t base,
   return out;
 }
 
+/// The exposed cells of a base cell in pieces that hang together.
+std::vector<Group> pieces(const SplitGrid& grid, std::size_t base) {
+  const auto nu = static_cast<std::size_t>(grid.layout.nu);
+  std::vector<std::size_t> left;
+  grid.forEachCell(base, [&](std::size_t cell) {
+    if (grid.exposed(cell)) left.push_back(cell);
+  });
+  const auto joined = [&](std::size_t a, std::size_t b) {
+    if (a > b) std::swap(a, b);
+    if (b == a + 1 && b % nu != 0) return (grid.outlook[a].walls & 1U) == 0;
+    return b == a + nu && (grid.outlook[a].walls & 2U) == 0;
+  };
+  std::vector<Group> out;
+  while (!left.empty()) {
+    Group piece;
+    piece.add(left.front());
+    left.erase(left.begin());
+    for (std::size_t k = 0; k < piece.count; ++k) {
+      for (auto cell = left.begin(); cell != left.end();) {
+        if (joined(piece.cells[k], *cell)) {
+          piece.add(*cell);
+          cell = left.erase(cell);
+        } else {
+          ++cell;
+        }
+      }
+    }
+    out.push_back(piece);
+  }
+  return out;
+}
+
 /// The splits of one base cell, best first; a later one never gains more than an earlier one, so
 /// that they are taken in order.
 void addSteps(const SplitGrid& grid, std::size_t g, std::size_t base, std::vector<Step>& steps) {
-  Group whole;
-  grid.forEachCell(base, [&](std::size_t cell) {
-    if (grid.exposed(cell)) whole.add(cell);
-  });
-  std::vector<Group> groups = {whole};
-  std::vector<double> error = {whole.count > 1 ? unlikeness(grid, whole) : 0.0};
+  std::vector<Group> groups = pieces(grid, base);
+  std::vector<double> error;
+  for (const Group& group : groups) error.push_back(group.count > 1 ? unlikeness(grid, group) : 0.0);
+  if (groups.size() > 1) {
+    // Not a matter of choice.
+    steps.push_back({kForced, g, base, static_cast<std::uint8_t>(groups.size()), numbersOf(grid, base, groups)});
+  }
   const std::size_t first = steps.size();
-  while (groups.size() < SplitGrid::kMostGroups) {
+  while (!groups.empty() && groups.size() < SplitGrid::kMostGroups) {
     const auto worst =
         static_cast<std::size_t>(std::max_element(error.begin(), error.end()) - error.begin());
     if (error[worst] <= 0.0) break;
@@ -164,12 +199,12 @@ std::size_t splitCells(std::span<SplitGrid> grids, std::size_t count) {
   std::stable_sort(steps.begin(), steps.end(),
                    [](const Step& a, const Step& b) { return a.gain > b.gain; });
   for (const Step& step : steps) {
-    if (texels >= count) break;
+    if (texels >= count && step.gain < kForced) break;
     SplitGrid& grid = grids[step.grid];
+    texels += step.groups - grid.groups[step.base];
     grid.groups[step.base] = step.groups;
     std::size_t at = 0;
     grid.forEachCell(step.base, [&](std::size_t cell) { grid.group[cell] = step.group[at++]; });
-    ++texels;
   }
   // A tenth of the light of a whole cell.
   return static_cast<std::size_t>(std::count_if(steps.begin(), steps.end(), [&](const Step& step) {

@@ -19,7 +19,7 @@ struct SplitGrid {
       group;  ///< per fine cell: its texel within the base cell, 0 unless split
   std::vector<std::uint8_t> groups;  ///< per base cell: how many
 
-  static constexpr int kMostGroups = 4;
+  static constexpr std::size_t kMostGroups = 4;  ///< by likeness; walls may part more
 
   [[nodiscard]] int baseColumns() const { return layout.nu / layout.ku; }
   [[nodiscard]] bool exposed(std::size_t cell) const {
@@ -36,7 +36,8 @@ struct SplitGrid {
   }
 };
 
-/// Splits base cells into groups of fine cells that see alike, until there are about `count`
+/// Splits base cells into groups of fine cells: first those that something stands between (a wall's
+/// foot may cross a cell, and no light passes it), then by what they see, until there are about `count`
 /// texels: first where what is seen from within one cell differs most. A desk that meets a
 /// partition in the middle of a cell, or a cabinet's edge on the floor, divides light from dark
 /// there, and one texel more tells them apart; open floor is left whole.

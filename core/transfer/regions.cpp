@@ -50,7 +50,7 @@ struct Outlook {
 
 constexpr std::size_t kRays = 16;
 
-/// Classes of brightness by a glow: light of distance times a constant along each ray, up to 3 m,
+/// Classes of brightness by a glow: light of distance times a constant along each ray, up to 15 cells,
 /// and what half-grey surfaces reflect of it. `seen`: kRays per texel.
 std::vector<std::uint8_t> dusk(std::span<const float> glow, std::span<const std::uint32_t> seen) {
   constexpr int kBounces = 6;
@@ -82,9 +82,10 @@ Outlook lookAround(const Texels& texels, std::span<const vec3> positions,
     return out;
   }
   const auto cell = static_cast<float>(texels.cell);
-  constexpr float kReach = 3.0F;
+  const float reach = 15.0F * cell;  // m; some 3
   std::vector<std::uint32_t> seen(positions.size() * kRays, kNoTexel);
   std::vector<float> glow(positions.size(), 0.0F);
+  std::vector<std::uint8_t> buried(positions.size(), 0);
   parallelFor(positions.size(), 256, [&](std::size_t begin, std::size_t end) {
     std::vector<geometry::Ray> rays;
     for (std::size_t i = begin; i < end; ++i) {
@@ -106,12 +107,13 @@ Outlook lookAround(const Texels& texels, std::span<const vec3> positions,
         const std::size_t at = (i - begin) * kRays + k;
         length[k] = hits[at].t;
         glow[i] +=
-            std::min(hits[at].valid() ? hits[at].t : kReach, kReach) / static_cast<float>(kRays);
+            std::min(hits[at].valid() ? hits[at].t : reach, reach) / static_cast<float>(kRays);
         if (!hits[at].valid()) continue;
         const Chart& chart = texels.charts.charts[texels.charts.chart_of[hits[at].triangle]];
         const bool front = glm::dot(chart.normal, rays[at].direction) < 0.0F;
         seen[i * kRays + k] =
             texels.at(hits[at].triangle, front, rays[at].origin + hits[at].t * rays[at].direction);
+        if (seen[i * kRays + k] == kNoTexel) buried[i] = 1;
       }
       std::nth_element(length.begin(), length.begin() + kRays / 2, length.end());
       const float median = length[kRays / 2];
@@ -121,8 +123,16 @@ Outlook lookAround(const Texels& texels, std::span<const vec3> positions,
     }
   });
   out.dusk = dusk(glow, seen);
+  // A point that sees the inside of a solid lies in it, and one that sees next to nothing lies on the
+  // far side of the building: neither joins what is parted by it.
+  const auto counts = [&](std::size_t texel) {
+    std::size_t found = 0;
+    for (std::size_t k = 0; k < kRays; ++k) found += seen[texel * kRays + k] != kNoTexel ? 1 : 0;
+    return buried[texel] == 0 && 4 * found > kRays;
+  };
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (seen[i] != kNoTexel) out.sealed.join(static_cast<std::uint32_t>(i / kRays), seen[i]);
+    if (seen[i] == kNoTexel || !counts(i / kRays) || !counts(seen[i])) continue;
+    out.sealed.join(static_cast<std::uint32_t>(i / kRays), seen[i]);
   }
   return out;
 }
@@ -152,7 +162,7 @@ Regions findRegions(const Texels& texels, std::span<const vec3> positions,
     const Texels::Grid& grid = texels.grids[c];
     const auto per_side = static_cast<std::uint32_t>(grid.nu * grid.nv);
     const std::uint32_t sides = (chart.sides & kFront) != 0 && (chart.sides & kBack) != 0 ? 2U : 1U;
-    const float lift = std::min(0.03F, 0.25F * static_cast<float>(texels.cell));
+    const float lift = 0.15F * static_cast<float>(texels.cell);
     for (std::uint32_t side = 0; side < sides; ++side) {
       const std::uint32_t* cells = &texels.cells[grid.first + side * per_side];
       for (int j = 0; j < grid.nv; ++j) {

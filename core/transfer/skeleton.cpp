@@ -138,7 +138,8 @@ class ClusterWorker {
     Eigen::MatrixXd gram = s * s.transpose();
     // Noise of the gathered fields: about 1/N^(3/4) of their local size for N stratified rays.
     const double local = gram.trace() / static_cast<double>(gram.rows());
-    const double noise = std::pow(static_cast<double>(settings_.list_rays) * settings_.list_rays, -0.75);
+    // Twice that: a weight of 20 would carry the noise of its list 20 times.
+    const double noise = 2.0 * std::pow(static_cast<double>(settings_.list_rays) * settings_.list_rays, -0.75);
     gram.diagonal().array() += std::max(local * noise * noise, 1e-12);
     const Eigen::MatrixXd w = gram.ldlt().solve(s * y.cast<double>().transpose());  // rank x points
     const std::uint32_t slots = c.end - c.begin;

@@ -183,6 +183,10 @@ TrainingFields makeTrainingFields(const StaticScene& scene, const Operators& ope
       if (mean[t] > 0.0) fields.value[s * count + t] *= static_cast<float>(area / mean[t]);
     }
   }
+  // The last is light that comes from everywhere alike: weights that give it back sum to 1, and
+  // neighbours of a small bright spot are not made from large differences.
+  constexpr float kEven = 3.0F;
+  for (std::size_t s = 0; s < slots; ++s) fields.value[s * count + count - 1] = kEven;
   return fields;
 }
 

@@ -33,7 +33,8 @@ Cut cut(geometry::Mesh mesh, double wished) {
   const std::vector<std::uint8_t> sides(out.mesh.triangles.size(), kBothSides);
   out.charts = makeCharts(out.mesh, sides, wished);
   EXPECT_EQ(out.charts.charts.size(), 1U);
-  out.grid = cutIntoCells(out.mesh, out.charts, out.charts.charts[0], wished);
+  const GridLayout layout = gridLayout(out.charts.charts[0].size, wished, false);
+  out.grid = cutIntoCells(out.mesh, out.charts, out.charts.charts[0], layout.nu, layout.nv);
   return out;
 }
 

@@ -55,8 +55,8 @@ TEST(Texels, TheFarSideOfARoomsWallsHasNone) {
 TEST(Texels, AroundAPointWeightsInterpolateLinearly) {
   const auto scene = sceneOf(blockRoom());
   const Texels texels = makeTexels(*scene->mesh, scene->sides, 0.1, &scene->caster);
-  std::array<std::uint32_t, 4> slots{};
-  std::array<float, 4> weights{};
+  std::array<std::uint32_t, Texels::kMostAround> slots{};
+  std::array<float, Texels::kMostAround> weights{};
   int asked = 0;
   for (std::uint32_t t = 0; t < scene->mesh->triangles.size(); ++t) {
     const uvec3& i = scene->mesh->triangles[t];
