@@ -68,7 +68,7 @@ std::vector<std::uint8_t> dusk(std::span<const float> glow, std::span<const std:
   std::nth_element(sorted.begin(), usual, sorted.end());
   std::vector<std::uint8_t> out(light.size(), 0);
   for (std::size_t i = 0; i < light.size(); ++i) {
-    for (float edge = 0.7F * *usual; out[i] < kDarkest && light[i] < edge; edge *= 0.5F) ++out[i];
+    for (float edge = 0.5F * *usual; out[i] < kDarkest && light[i] < edge; edge *= 0.5F) ++out[i];
   }
   return out;
 }
@@ -113,7 +113,7 @@ Outlook lookAround(const Texels& texels, std::span<const vec3> positions,
         const bool front = glm::dot(chart.normal, rays[at].direction) < 0.0F;
         seen[i * kRays + k] =
             texels.at(hits[at].triangle, front, rays[at].origin + hits[at].t * rays[at].direction);
-        if (seen[i * kRays + k] == kNoTexel) buried[i] = 1;
+        if (seen[i * kRays + k] == kNoTexel) ++buried[i];
       }
       std::nth_element(length.begin(), length.begin() + kRays / 2, length.end());
       const float median = length[kRays / 2];
@@ -128,7 +128,7 @@ Outlook lookAround(const Texels& texels, std::span<const vec3> positions,
   const auto counts = [&](std::size_t texel) {
     std::size_t found = 0;
     for (std::size_t k = 0; k < kRays; ++k) found += seen[texel * kRays + k] != kNoTexel ? 1 : 0;
-    return buried[texel] == 0 && 4 * found > kRays;
+    return 10 * buried[texel] <= kRays && 4 * found > kRays;
   };
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (seen[i] == kNoTexel || !counts(i / kRays) || !counts(seen[i])) continue;

@@ -13,7 +13,8 @@
 namespace soffit::transfer {
 
 /// Radiosity fields that lights in this scene excite: value[slot * count + t], lux of reflected
-/// light for training light t, scaled to an area mean of 1. Positions, sizes, kinds and the
+/// light for training light t, scaled to an area mean of 1; the last is
+/// even light, 3 everywhere. Positions, sizes, kinds and the
 /// materials' reflectances are drawn at random (fixed seed): never the project's own.
 struct TrainingFields {
   int count = 0;

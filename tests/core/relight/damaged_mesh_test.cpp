@@ -17,7 +17,7 @@ const std::vector<light::Luminaire> kLamp = {panel({2.6, 2.9, 2.6})};
 
 const Readings& ordinary() {
   static const Readings readings =
-      readIn(solverFor(blockRoom(), {dvec3(kRho)}), kLamp, blockRoomSensors());
+      readIn(solverFor(blockRoom(), {dvec3(kRho)}, fineSettings()), kLamp, blockRoomSensors());
   return readings;
 }
 
@@ -26,7 +26,7 @@ const Readings& ordinary() {
 constexpr double kOtherRays = 6e-3;
 
 void expectAsOrdinary(const std::shared_ptr<geometry::Mesh>& mesh, double direct_tolerance = 0.0) {
-  const Readings found = readIn(solverFor(mesh, {dvec3(kRho)}), kLamp, blockRoomSensors());
+  const Readings found = readIn(solverFor(mesh, {dvec3(kRho)}, fineSettings()), kLamp, blockRoomSensors());
   EXPECT_LE(relativeRms(found.direct, ordinary().direct), direct_tolerance);
   EXPECT_LT(relativeRms(found.indirect, ordinary().indirect), kOtherRays);
 }
@@ -106,7 +106,7 @@ TEST(DamagedMesh, ABlockInManySmallTrianglesIsTheSameBlock) {
 Readings withCabinet(float sunk) {
   auto mesh = blockRoom();
   addBox(*mesh, {2.5F, 3.5F, -sunk}, {3.3F, 4.3F, 0.8F}, false, 0);
-  return readIn(solverFor(mesh, {dvec3(kRho)}), kLamp, blockRoomSensors());
+  return readIn(solverFor(mesh, {dvec3(kRho)}, fineSettings()), kLamp, blockRoomSensors());
 }
 
 TEST(CoincidentFaces, AFootInTheFloorsPlaneIsLikeOneThatSinksIn) {
@@ -125,7 +125,7 @@ TEST(CoincidentFaces, TwoBoxesSideBySideAreOne) {
     } else {
       addBox(*mesh, {2.4F, 3.2F, -0.002F}, {3.4F, 4.4F, 0.8F}, false, 0);
     }
-    return readIn(solverFor(mesh, {dvec3(kRho)}), kLamp, blockRoomSensors());
+    return readIn(solverFor(mesh, {dvec3(kRho)}, fineSettings()), kLamp, blockRoomSensors());
   };
   const Readings one = boxes(false);
   const Readings two = boxes(true);
@@ -137,7 +137,7 @@ TEST(CoincidentFaces, ASheetOnTheWallIsTheWall) {
   // A picture without thickness in the plane of the wall x = 0, as dark or bright as the wall.
   auto mesh = blockRoom();
   addQuad(*mesh, {0, 2, 1}, {0, 3.2F, 1}, {0, 3.2F, 2}, {0, 2, 2}, 0);
-  const Readings found = readIn(solverFor(mesh, {dvec3(kRho)}), kLamp, blockRoomSensors());
+  const Readings found = readIn(solverFor(mesh, {dvec3(kRho)}, fineSettings()), kLamp, blockRoomSensors());
   EXPECT_LT(relativeRms(found.direct, ordinary().direct), 1e-6);
   EXPECT_LT(relativeRms(found.indirect, ordinary().indirect), kOtherRays);
 }

@@ -67,6 +67,13 @@ inline transfer::BakeSettings quickSettings() {
   return s;
 }
 
+/// For comparing two bakes of one room: less noise.
+inline transfer::BakeSettings fineSettings() {
+  transfer::BakeSettings s = quickSettings();
+  s.texels = 7000;
+  return s;
+}
+
 inline std::shared_ptr<const Solver> solverFor(const std::shared_ptr<const geometry::Mesh>& mesh,
                                                const std::vector<dvec3>& reflectances,
                                                const transfer::BakeSettings& settings = quickSettings(),

@@ -30,7 +30,7 @@ std::shared_ptr<geometry::Mesh> scaledRoom(float scale) {
 
 const Readings& ordinary() {
   static const Readings readings =
-      readIn(solverFor(blockRoom(), {dvec3(kRho)}), {lamp()}, sensorsAt(1.0));
+      readIn(solverFor(blockRoom(), {dvec3(kRho)}, fineSettings()), {lamp()}, sensorsAt(1.0));
   return readings;
 }
 
@@ -38,7 +38,7 @@ class Scale : public ::testing::TestWithParam<double> {};
 
 TEST_P(Scale, LuxGoesWithTheInverseSquare) {
   const double scale = GetParam();
-  auto settings = quickSettings();
+  auto settings = fineSettings();
   settings.least_cell *= scale;  // the wish for cells of 3 cm means something else here
   const auto solver = solverFor(scaledRoom(static_cast<float>(scale)), {dvec3(kRho)}, settings);
   const Readings found = readIn(solver, {lamp(scale)}, sensorsAt(scale));
@@ -56,7 +56,7 @@ TEST(FarOut, TenKilometresFromTheZeroWithAnOriginNothingChanges) {
   const dvec3 far(7000.0, -7000.0, 120.0);
   auto mesh = blockRoom();
   mesh->origin = far;  // as the importers set it (frame_origin.h)
-  const auto solver = solverFor(mesh, {dvec3(kRho)});
+  const auto solver = solverFor(mesh, {dvec3(kRho)}, fineSettings());
   const Readings found = readIn(solver, {lamp(1.0, far)}, sensorsAt(1.0, far));
   // Positions differ by the rounding of 10 km in double precision.
   EXPECT_LT(relativeRms(found.direct, ordinary().direct), 1e-6);
@@ -69,7 +69,7 @@ TEST(FarOut, TenKilometresFromTheZeroInSinglePrecision) {
   auto mesh = blockRoom();
   transform(*mesh, dmat3(1.0), far);
   const Readings found =
-      readIn(solverFor(mesh, {dvec3(kRho)}), {lamp(1.0, far)}, sensorsAt(1.0, far));
+      readIn(solverFor(mesh, {dvec3(kRho)}, fineSettings()), {lamp(1.0, far)}, sensorsAt(1.0, far));
   // Corners, sensors and texels are rounded to 0.5 mm there: at the metre between light and sensor
   // a thousandth, and as much of a shadow's edge. Where rays start is rounded as coarsely, which
   // costs the bounce some per cent at edges (measured: 2 %).
@@ -82,14 +82,14 @@ template <class Change>
 dvec2 after(const Change& change) {
   auto mesh = blockRoom();
   change(*mesh);
-  const Readings found = readIn(solverFor(mesh, {dvec3(kRho)}), {lamp()}, sensorsAt(1.0));
+  const Readings found = readIn(solverFor(mesh, {dvec3(kRho)}, fineSettings()), {lamp()}, sensorsAt(1.0));
   for (const double e : found.indirect) EXPECT_TRUE(std::isfinite(e));
   return {relativeRms(found.direct, ordinary().direct),
           relativeRms(found.indirect, ordinary().indirect)};
 }
 
 // The bake's random numbers go by texel, so that one texel more changes the rays of all that
-// follow: the bounce may differ by the noise of 4000 texels and 4096 rays, some parts in a
+// follow: the bounce may differ by the noise of 7000 texels and 4096 rays, some parts in a
 // thousand.
 constexpr double kOtherRays = 6e-3;
 
