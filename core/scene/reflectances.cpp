@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/scene/reflectances.h"
 
+#include "core/light/emitter.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,16 +13,16 @@ namespace {
 constexpr double kWhitest = 0.9;
 constexpr double kBlackest = 0.005;
 
-double luminance(const dvec3& c) {
-  return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
-}
-
 dvec3 meanOf(const Image& image) {
+  // A grey image has one channel; a fourth is opacity.
+  const auto channels = static_cast<std::size_t>(std::max(image.channels, 1));
   dvec3 sum(0.0);
-  const std::size_t pixels = image.pixels.size() / 3;
+  const std::size_t pixels = image.pixels.size() / channels;
   for (std::size_t i = 0; i < pixels; ++i) {
-    for (int k = 0; k < 3; ++k)
-      sum[k] += static_cast<double>(image.pixels[3 * i + static_cast<std::size_t>(k)]);
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t channel = std::min(static_cast<std::size_t>(k), channels - 1);
+      sum[k] += static_cast<double>(image.pixels[channels * i + channel]);
+    }
   }
   return pixels == 0 ? dvec3(1.0) : sum / static_cast<double>(pixels);
 }
@@ -41,7 +43,7 @@ std::vector<double> materialAreas(const Scene& scene) {
 
 double reflectance(const Material& material) {
   const dvec3 map = material.diffuse_image ? meanOf(*material.diffuse_image) : dvec3(1.0);
-  return std::min(1.0, luminance(material.diffuse * map) + material.specular);
+  return std::min(1.0, glm::dot(light::kLuminance, material.diffuse * map) + material.specular);
 }
 
 std::vector<std::string> implausibleReflectances(const Scene& scene) {

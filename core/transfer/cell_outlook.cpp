@@ -59,13 +59,16 @@ class Places {
 };
 
 /// Rays from cell to cell just above the surface.
-void findWalls(const geometry::RayCaster& caster, const vec3& n, const CellGrid& cut, std::span<CellOutlook> cells) {
+void findOpenings(const geometry::RayCaster& caster, const vec3& n, const CellGrid& cut,
+                  std::span<CellOutlook> cells) {
   const float lift = 0.2F * std::max(cut.cell.x, cut.cell.y);
   const auto nu = static_cast<std::size_t>(cut.nu);
   parallelFor(cells.size(), 256, [&](std::size_t begin, std::size_t end) {
     std::vector<geometry::Ray> rays;
     std::vector<std::pair<std::size_t, std::uint8_t>> of;
-    const auto usable = [&](std::size_t i) { return cut.cells[i].area > 0.0 && cells[i].cover != Cover::matter; };
+    const auto usable = [&](std::size_t i) {
+      return cut.cells[i].area > 0.0 && cells[i].cover != Cover::matter;
+    };
     for (std::size_t i = begin; i < end; ++i) {
       if (!usable(i)) continue;
       const auto add = [&](std::size_t to, std::uint8_t bit) {
@@ -80,7 +83,7 @@ void findWalls(const geometry::RayCaster& caster, const vec3& n, const CellGrid&
     std::vector<std::uint8_t> blocked(rays.size(), 0);
     caster.occluded(rays, blocked);
     for (std::size_t r = 0; r < rays.size(); ++r) {
-      if (blocked[r] != 0) cells[of[r].first].walls |= of[r].second;
+      if (blocked[r] == 0) cells[of[r].first].open |= of[r].second;
     }
   });
 }
@@ -120,7 +123,7 @@ std::vector<CellOutlook> lookFromCells(const geometry::Mesh& mesh,
           static_cast<std::uint8_t>(std::lround(255.0F * share));
     }
   });
-  findWalls(caster, n, cut, out);
+  findOpenings(caster, n, cut, out);
   return out;
 }
 

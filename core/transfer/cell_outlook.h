@@ -18,8 +18,8 @@ struct CellOutlook {
   static constexpr std::size_t kProbes = 8;
   Cover cover = Cover::none;
   float share = 1.0F;  ///< of the cell that `cover` holds for
-  /// Bits: 1 when something stands between this cell and the next along t, 2 along b.
-  std::uint8_t walls = 0;
+  /// Bits: 1 when nothing stands between this cell and the next along t, 2 along b.
+  std::uint8_t open = 0;
   vec3 point{0.0F};  ///< where it was looked from
   /// 255 t / (t + scale) of the distance t to the next surface in fixed directions about the
   /// normal: two cells of one chart that receive much the same light have much the same values.

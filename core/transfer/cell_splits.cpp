@@ -18,16 +18,16 @@ struct Group {
   std::array<std::size_t, 16> cells{};
   std::size_t count = 0;
   void add(std::size_t cell) { cells[count++] = cell; }
+  [[nodiscard]] std::span<const std::size_t> all() const { return {cells.data(), count}; }
 };
 
-Mean meanOf(const SplitGrid& grid, const Group& group) {
+Mean meanOf(const SplitGrid& grid, std::span<const std::size_t> cells) {
   Mean mean{};
   double area = 0.0;
-  for (std::size_t i = 0; i < group.count; ++i) {
-    const double a = grid.cut->cells[group.cells[i]].area;
+  for (const std::size_t i : cells) {
+    const double a = grid.cut->cells[i].area;
     area += a;
-    for (std::size_t k = 0; k < kProbes; ++k)
-      mean[k] += a * grid.outlook[group.cells[i]].distance[k];
+    for (std::size_t k = 0; k < kProbes; ++k) mean[k] += a * grid.outlook[i].distance[k];
   }
   if (area > 0.0) {
     for (double& m : mean) m /= area;
@@ -45,7 +45,7 @@ double apart(const CellOutlook& cell, const Mean& mean) {
 /// that the dark counts nearly as much as the bright, times area.
 double unlikeness(const SplitGrid& grid, const Group& group) {
   constexpr double kDark = 25.0;  // below this it is so dark that nobody asks
-  const Mean mean = meanOf(grid, group);
+  const Mean mean = meanOf(grid, group.all());
   double level = 0.0;
   for (const double m : mean) level += m / kProbes;
   double deviation = 0.0;
@@ -58,7 +58,7 @@ double unlikeness(const SplitGrid& grid, const Group& group) {
 /// Two groups that are each as alike as can be: 2-means from the two sides of the mean of the probe
 /// that tells most.
 std::array<Group, 2> halve(const SplitGrid& grid, const Group& group) {
-  const Mean mean = meanOf(grid, group);
+  const Mean mean = meanOf(grid, group.all());
   Mean spread{};
   for (std::size_t i = 0; i < group.count; ++i) {
     for (std::size_t k = 0; k < kProbes; ++k) {
@@ -72,7 +72,7 @@ std::array<Group, 2> halve(const SplitGrid& grid, const Group& group) {
     parts[grid.outlook[group.cells[i]].distance[probe] > mean[probe] ? 1 : 0].add(group.cells[i]);
   }
   for (int round = 0; round < 4 && parts[0].count > 0 && parts[1].count > 0; ++round) {
-    const std::array<Mean, 2> means = {meanOf(grid, parts[0]), meanOf(grid, parts[1])};
+    const std::array<Mean, 2> means = {meanOf(grid, parts[0].all()), meanOf(grid, parts[1].all())};
     std::array<Group, 2> next;
     for (std::size_t i = 0; i < group.count; ++i) {
       const CellOutlook& cell = grid.outlook[group.cells[i]];
@@ -119,8 +119,9 @@ std::vector<Group> pieces(const SplitGrid& grid, std::size_t base) {
   });
   const auto joined = [&](std::size_t a, std::size_t b) {
     if (a > b) std::swap(a, b);
-    if (b == a + 1 && b % nu != 0) return (grid.outlook[a].walls & 1U) == 0;
-    return b == a + nu && (grid.outlook[a].walls & 2U) == 0;
+    if (grid.outlook[a].cover != grid.outlook[b].cover) return false;  // a gap's light is its own
+    if (b == a + 1 && b % nu != 0) return (grid.outlook[a].open & 1U) != 0;
+    return b == a + nu && (grid.outlook[a].open & 2U) != 0;
   };
   std::vector<Group> out;
   while (!left.empty()) {
@@ -143,14 +144,16 @@ std::vector<Group> pieces(const SplitGrid& grid, std::size_t base) {
 }
 
 /// The splits of one base cell, best first; a later one never gains more than an earlier one, so
-/// that they are taken in order.
-void addSteps(const SplitGrid& grid, std::size_t g, std::size_t base, std::vector<Step>& steps) {
+/// that they are taken in order. Returns whether light reaches the cell at all.
+bool addSteps(const SplitGrid& grid, std::size_t g, std::size_t base, std::vector<Step>& steps) {
   std::vector<Group> groups = pieces(grid, base);
   std::vector<double> error;
-  for (const Group& group : groups) error.push_back(group.count > 1 ? unlikeness(grid, group) : 0.0);
+  for (const Group& group : groups)
+    error.push_back(group.count > 1 ? unlikeness(grid, group) : 0.0);
   if (groups.size() > 1) {
     // Not a matter of choice.
-    steps.push_back({kForced, g, base, static_cast<std::uint8_t>(groups.size()), numbersOf(grid, base, groups)});
+    steps.push_back({kForced, g, base, static_cast<std::uint8_t>(groups.size()),
+                     numbersOf(grid, base, groups)});
   }
   const std::size_t first = steps.size();
   while (!groups.empty() && groups.size() < SplitGrid::kMostGroups) {
@@ -172,6 +175,7 @@ void addSteps(const SplitGrid& grid, std::size_t g, std::size_t base, std::vecto
     step.group = numbersOf(grid, base, groups);
     steps.push_back(step);
   }
+  return !groups.empty();
 }
 
 }  // namespace
@@ -183,10 +187,7 @@ std::size_t splitCells(std::span<SplitGrid> grids, std::size_t count) {
     for (std::size_t g = begin; g < end; ++g) {
       if (grids[g].outlook.empty()) continue;
       for (std::size_t base = 0; base < grids[g].groups.size(); ++base) {
-        bool any = false;
-        grids[g].forEachCell(base, [&](std::size_t cell) { any = any || grids[g].exposed(cell); });
-        whole[g] += any ? 1 : 0;
-        addSteps(grids[g], g, base, by_grid[g]);
+        whole[g] += addSteps(grids[g], g, base, by_grid[g]) ? 1 : 0;
       }
     }
   });
@@ -214,6 +215,13 @@ std::size_t splitCells(std::span<SplitGrid> grids, std::size_t count) {
         static_cast<double>(cut.cell.x) * static_cast<double>(cut.cell.y) * layout.ku * layout.kv;
     return step.gain > 0.1 * full;
   }));
+}
+
+std::size_t typicalCell(const SplitGrid& grid, std::span<const std::size_t> cells) {
+  const Mean mean = meanOf(grid, cells);
+  return *std::min_element(cells.begin(), cells.end(), [&](std::size_t a, std::size_t b) {
+    return apart(grid.outlook[a], mean) < apart(grid.outlook[b], mean);
+  });
 }
 
 }  // namespace soffit::transfer

@@ -37,13 +37,16 @@ struct SplitGrid {
 };
 
 /// Splits base cells into groups of fine cells: first those that something stands between (a wall's
-/// foot may cross a cell, and no light passes it), then by what they see, until there are about `count`
-/// texels: first where what is seen from within one cell differs most. A desk that meets a
-/// partition in the middle of a cell, or a cabinet's edge on the floor, divides light from dark
-/// there, and one texel more tells them apart; open floor is left whole.
+/// foot may cross a cell, and no light passes it) or of which one lies in a gap, then by what they
+/// see, until there are about `count` texels: first where what is seen from within one cell differs
+/// most. A desk that meets a partition in the middle of a cell, or a cabinet's edge on the floor,
+/// divides light from dark there, and one texel more tells them apart; open floor is left whole.
 ///
 /// Returns how many of the splits tell more than a little apart; when these are few, the rest of
 /// `count` is better spent on smaller cells everywhere.
 std::size_t splitCells(std::span<SplitGrid> grids, std::size_t count);
+
+/// Of exposed fine cells the one that sees most nearly what they all see on average.
+std::size_t typicalCell(const SplitGrid& grid, std::span<const std::size_t> cells);
 
 }  // namespace soffit::transfer

@@ -41,17 +41,18 @@ struct Outlook {
   /// the open. The light in a gap has little to do with the light beside it, and must not share
   /// patches and weights with it.
   std::vector<std::uint8_t> openness;
-  /// Texels that see each other, directly or by way of others: what is sealed from the room (the
-  /// hollow of a door, a box) must get exactly none of its light.
-  Sets sealed;
+  /// The space that a texel lies in: texels that see each other, directly or by way of others,
+  /// share one. What is sealed from the room (the hollow of a door, a box) must get exactly none of
+  /// its light. kNoTexel where the texel cannot tell.
+  std::vector<std::uint32_t> space;
   /// How dark: 0 about as bright as most, and one more for each octave below.
   std::vector<std::uint8_t> dusk;
 };
 
 constexpr std::size_t kRays = 16;
 
-/// Classes of brightness by a glow: light of distance times a constant along each ray, up to 15 cells,
-/// and what half-grey surfaces reflect of it. `seen`: kRays per texel.
+/// Classes of brightness by a glow: light of distance times a constant along each ray, up to 15
+/// cells, and what half-grey surfaces reflect of it. `seen`: kRays per texel.
 std::vector<std::uint8_t> dusk(std::span<const float> glow, std::span<const std::uint32_t> seen) {
   constexpr int kBounces = 6;
   constexpr std::uint8_t kDarkest = 4;
@@ -73,14 +74,37 @@ std::vector<std::uint8_t> dusk(std::span<const float> glow, std::span<const std:
   return out;
 }
 
+/// The spaces of Outlook. seen: kRays per texel. buried: how many of them met the inside of a
+/// solid.
+std::vector<std::uint32_t> spacesOf(std::span<const std::uint32_t> seen,
+                                    std::span<const std::uint8_t> buried) {
+  // A point that sees the inside of a solid lies in it, and one that sees next to nothing may lie
+  // on the far side of the building: neither joins what is parted by it.
+  std::vector<std::uint8_t> tells(buried.size(), 0);
+  for (std::size_t i = 0; i < tells.size(); ++i) {
+    const auto own = seen.subspan(i * kRays, kRays);
+    const auto found =
+        kRays - static_cast<std::size_t>(std::count(own.begin(), own.end(), kNoTexel));
+    tells[i] = 10 * buried[i] <= kRays && 4 * found > kRays ? 1 : 0;
+  }
+  Sets sets(buried.size());
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    if (seen[k] == kNoTexel || tells[k / kRays] == 0 || tells[seen[k]] == 0) continue;
+    sets.join(static_cast<std::uint32_t>(k / kRays), seen[k]);
+  }
+  std::vector<std::uint32_t> out(buried.size(), kNoTexel);
+  for (std::uint32_t i = 0; i < out.size(); ++i) {
+    if (tells[i] != 0) out[i] = sets.find(i);
+  }
+  return out;
+}
+
 Outlook lookAround(const Texels& texels, std::span<const vec3> positions,
                    std::span<const vec3> normals, const geometry::RayCaster* caster) {
-  Outlook out{std::vector<std::uint8_t>(positions.size(), 2), Sets(positions.size()),
+  Outlook out{std::vector<std::uint8_t>(positions.size(), 2),
+              std::vector<std::uint32_t>(positions.size(), kNoTexel),
               std::vector<std::uint8_t>(positions.size(), 0)};
-  if (caster == nullptr) {
-    for (std::uint32_t i = 1; i < positions.size(); ++i) out.sealed.join(0, i);
-    return out;
-  }
+  if (caster == nullptr) return out;
   const auto cell = static_cast<float>(texels.cell);
   const float reach = 15.0F * cell;  // m; some 3
   std::vector<std::uint32_t> seen(positions.size() * kRays, kNoTexel);
@@ -123,24 +147,44 @@ Outlook lookAround(const Texels& texels, std::span<const vec3> positions,
     }
   });
   out.dusk = dusk(glow, seen);
-  // A point that sees the inside of a solid lies in it, and one that sees next to nothing lies on the
-  // far side of the building: neither joins what is parted by it.
-  const auto counts = [&](std::size_t texel) {
-    std::size_t found = 0;
-    for (std::size_t k = 0; k < kRays; ++k) found += seen[texel * kRays + k] != kNoTexel ? 1 : 0;
-    return 10 * buried[texel] <= kRays && 4 * found > kRays;
-  };
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (seen[i] == kNoTexel || !counts(i / kRays) || !counts(seen[i])) continue;
-    out.sealed.join(static_cast<std::uint32_t>(i / kRays), seen[i]);
-  }
+  out.space = spacesOf(seen, buried);
   return out;
 }
 
-/// Whether light may be interpolated between neighbours that nothing stands between.
-bool connected(Outlook& outlook, std::uint32_t a, std::uint32_t b) {
-  return (outlook.openness[a] == 0) == (outlook.openness[b] == 0) &&
-         outlook.sealed.find(a) == outlook.sealed.find(b);
+using Pair = std::array<std::uint32_t, 2>;
+
+/// Texels that share an edge with nothing on it; some pairs come more than once.
+std::vector<Pair> openPairs(const Texels& texels, std::span<const std::uint8_t> open) {
+  std::vector<Pair> pairs;
+  for (std::size_t c = 0; c < texels.charts.charts.size(); ++c) {
+    const Chart& chart = texels.charts.charts[c];
+    if (!chart.planar || chart.sides == kNoSide) continue;
+    const Texels::Grid& grid = texels.grids[c];
+    const auto per_side = static_cast<std::size_t>(grid.nu) * static_cast<std::size_t>(grid.nv);
+    const auto nu = static_cast<std::size_t>(grid.nu);
+    const std::size_t end = grid.first + (chart.sides == kBothSides ? 2 : 1) * per_side;
+    for (std::size_t i = grid.first; i < end; ++i) {
+      for (const auto& [bit, step] : {std::pair{1U, std::size_t{1}}, {2U, nu}}) {
+        if ((open[i] & bit) == 0) continue;
+        const Pair pair{texels.cells[i], texels.cells[i + step]};
+        if (pair[0] == pair[1] || pair[0] == kNoTexel || pair[1] == kNoTexel) continue;
+        if (pairs.empty() || pairs.back() != pair) pairs.push_back(pair);
+      }
+    }
+  }
+  return pairs;
+}
+
+/// Texels that cannot tell their space lie in that of their neighbours.
+void spreadSpaces(std::span<const Pair> pairs, std::vector<std::uint32_t>& space) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto& [a, b] : pairs) {
+      if ((space[a] == kNoTexel) == (space[b] == kNoTexel)) continue;
+      space[a] = space[b] = space[a] == kNoTexel ? space[b] : space[a];
+      changed = true;
+    }
+  }
 }
 
 bool alike(const Outlook& outlook, std::uint32_t a, std::uint32_t b) {
@@ -149,62 +193,37 @@ bool alike(const Outlook& outlook, std::uint32_t a, std::uint32_t b) {
 
 }  // namespace
 
-Regions findRegions(const Texels& texels, std::span<const vec3> positions,
-                    std::span<const vec3> normals, const geometry::RayCaster* caster) {
+Regions findRegions(const Texels& texels, std::span<const std::uint8_t> open,
+                    std::span<const vec3> positions, std::span<const vec3> normals,
+                    const geometry::RayCaster* caster) {
   Outlook outlook = lookAround(texels, positions, normals, caster);
   Sets sets(positions.size());
   Sets parts(positions.size());
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  std::vector<geometry::Ray> rays;
-  for (std::size_t c = 0; c < texels.charts.charts.size(); ++c) {
-    const Chart& chart = texels.charts.charts[c];
-    if (!chart.planar || chart.sides == kNoSide) continue;
-    const Texels::Grid& grid = texels.grids[c];
-    const auto per_side = static_cast<std::uint32_t>(grid.nu * grid.nv);
-    const std::uint32_t sides = (chart.sides & kFront) != 0 && (chart.sides & kBack) != 0 ? 2U : 1U;
-    const float lift = 0.15F * static_cast<float>(texels.cell);
-    for (std::uint32_t side = 0; side < sides; ++side) {
-      const std::uint32_t* cells = &texels.cells[grid.first + side * per_side];
-      for (int j = 0; j < grid.nv; ++j) {
-        for (int i = 0; i < grid.nu; ++i) {
-          const std::uint32_t a = cells[j * grid.nu + i];
-          if (a == kNoTexel) continue;
-          for (const auto& [di, dj] : {std::pair{1, 0}, {0, 1}}) {
-            if (i + di >= grid.nu || j + dj >= grid.nv) continue;
-            const std::uint32_t b = cells[(j + dj) * grid.nu + i + di];
-            if (b == kNoTexel || a == b || !connected(outlook, a, b)) continue;
-            if (!pairs.empty() && pairs.back() == std::array{a, b}) continue;
-            pairs.push_back({a, b});
-            const vec3 from = positions[a] + lift * normals[a];
-            rays.push_back({from, 0.0F, positions[b] + lift * normals[b] - from, 1.0F});
-          }
-        }
-      }
-    }
-  }
-  std::vector<std::uint8_t> blocked(rays.size(), 0);
-  if (caster != nullptr) caster->occluded(rays, blocked);
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    if (blocked[k] != 0) continue;
-    parts.join(pairs[k][0], pairs[k][1]);
-    if (alike(outlook, pairs[k][0], pairs[k][1])) sets.join(pairs[k][0], pairs[k][1]);
+  const auto pairs = openPairs(texels, open);
+  spreadSpaces(pairs, outlook.space);
+  for (const auto& [a, b] : pairs) {
+    if (outlook.space[a] != outlook.space[b]) continue;
+    parts.join(a, b);
+    if (alike(outlook, a, b)) sets.join(a, b);
   }
   std::vector<std::uint32_t> count(positions.size(), 0);
   for (std::uint32_t i = 0; i < positions.size(); ++i) ++count[sets.find(i)];
   // Small parts go together by what they have in common, and so do small sealed spaces (there are
   // thousands where furniture stands on furniture); regions are numbered as they come up.
-  std::vector<std::uint32_t> sealed_count(positions.size(), 0);
-  for (std::uint32_t i = 0; i < positions.size(); ++i) ++sealed_count[outlook.sealed.find(i)];
+  std::vector<std::uint32_t> held(positions.size(), 0);
+  for (const std::uint32_t space : outlook.space) {
+    if (space != kNoTexel) ++held[space];
+  }
   std::map<std::array<std::uint32_t, 4>, std::uint32_t> numbers;
   std::vector<std::uint32_t> region(positions.size(), 0);
   std::vector<std::uint32_t> part(positions.size(), 0);
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
     const std::uint32_t root = sets.find(i);
     const bool large = count[root] >= kLeastCells;
-    const std::uint32_t space = outlook.sealed.find(i);
+    const std::uint32_t space = outlook.space[i];
     const std::array<std::uint32_t, 4> key = {
         large ? root : kNoTexel, outlook.openness[i], outlook.dusk[i],
-        sealed_count[space] >= 4 * kLeastCells ? space : kNoTexel};
+        space != kNoTexel && held[space] >= 4 * kLeastCells ? space : kNoTexel};
     part[i] = parts.find(i);
     region[i] = numbers.try_emplace(key, static_cast<std::uint32_t>(numbers.size())).first->second;
   }

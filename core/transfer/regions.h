@@ -13,10 +13,10 @@ namespace soffit::transfer {
 /// light is interpolated within one part.
 ///
 /// Cells of a planar chart belong to one part with their neighbours unless something stands between
-/// them (a floor slab under two rooms is two parts), unless one lies in a gap and the other does
-/// not, and unless one is sealed from the other. A region is the piece of a part that is about
-/// equally bright; pieces of fewer than 16 cells, and curved charts, share one region per openness,
-/// brightness and sealed space: position and normal divide those further.
+/// them (a floor slab under two rooms is two parts), and unless one is sealed from the other. A
+/// region is the piece of a part that is about equally bright; pieces of fewer than 16 cells, and
+/// curved charts, share one region per openness, brightness and sealed space: position and normal
+/// divide those further.
 ///
 /// Brightness is that of a glow by which every metre of air sends the same light (Outlook in
 /// regions.cpp): it knows hollows, and nothing of luminaires.
@@ -28,8 +28,10 @@ struct Regions {
 };
 
 /// texels     charts, grids and cells (which hold draft indices, not slots, at this time).
+/// open       per cell: CellOutlook::open.
 /// positions, normals  per draft texel.   caster  null: one region per chart and side.
-Regions findRegions(const Texels& texels, std::span<const vec3> positions,
-                    std::span<const vec3> normals, const geometry::RayCaster* caster);
+Regions findRegions(const Texels& texels, std::span<const std::uint8_t> open,
+                    std::span<const vec3> positions, std::span<const vec3> normals,
+                    const geometry::RayCaster* caster);
 
 }  // namespace soffit::transfer

@@ -20,6 +20,7 @@ struct Draft {
   std::vector<vec3> position, normal;
   std::vector<float> area;
   std::vector<std::uint32_t> material, triangle;
+  std::vector<std::uint8_t> open;  ///< per cell: CellOutlook::open
 
   std::uint32_t add(const vec3& p, const vec3& n, double a, std::uint32_t m, std::uint32_t t) {
     position.push_back(p);
@@ -31,70 +32,56 @@ struct Draft {
   }
 };
 
-/// Cells of a texel under way: what counts of them.
+/// Exposed cells of a texel under way.
 class CellSum {
  public:
-  /// The more common kind counts: a texel in the open leaves out what reaches into a gap, the
-  /// room's light ends there.
   CellSum(const SplitGrid& grid, const Chart& chart, std::span<const std::size_t> cells)
-      : grid_(grid), chart_(chart), cells_(cells) {
-    std::array<double, 3> area{};
-    for (const std::size_t i : cells)
-      area[static_cast<std::size_t>(coverAt(i))] += grid.cut->cells[i].area;
-    kind_ = area[1] > area[0] ? Cover::gap : Cover::none;
-    if (area[0] + area[1] <= 0.0) kind_ = Cover::matter;
-  }
-  [[nodiscard]] bool covered() const { return kind_ == Cover::matter; }
+      : grid_(grid), chart_(chart), cells_(cells) {}
   [[nodiscard]] SurfacePlace place() const {
     SurfacePlace out;
     dvec3 center(0.0);
     for (const std::size_t i : cells_) {
-      const Cell& c = grid_.cut->cells[i];
-      if (coverAt(i) != kind_) continue;
-      const double area = c.total_area * static_cast<double>(shareAt(i));
+      const double area = grid_.cut->cells[i].total_area * static_cast<double>(shareAt(i));
       out.area += area;
       center += area * dvec3(pointAt(i));
     }
     if (out.area > 0.0) center /= out.area;
     const std::size_t middle = cellOf(center);
-    if (counts(middle)) {
+    if (isWhole(middle)) {
       out.point = vec3(center);
       out.triangle = grid_.cut->cells[middle].triangle;
       return out;
     }
-    double best = 1e300;
-    for (const std::size_t i : cells_) {
-      const Cell& c = grid_.cut->cells[i];
-      const dvec3 d = dvec3(pointAt(i)) - center;
-      if (coverAt(i) != kind_ || glm::dot(d, d) >= best) continue;
-      best = glm::dot(d, d);
-      out.point = pointAt(i);
-      out.triangle = c.triangle;
-    }
+    // The middle is covered or off the chart.
+    const std::size_t typical =
+        grid_.outlook.empty() ? nearest(center) : typicalCell(grid_, cells_);
+    out.point = pointAt(typical);
+    out.triangle = grid_.cut->cells[typical].triangle;
     return out;
   }
 
  private:
-  [[nodiscard]] Cover coverAt(std::size_t i) const {
-    return grid_.outlook.empty() ? Cover::none : grid_.outlook[i].cover;
-  }
   [[nodiscard]] std::size_t cellOf(const dvec3& p) const {
     const dvec3 d = p - dvec3(chart_.origin);
     const CellGrid& cut = *grid_.cut;
-    const int i =
-        std::clamp(static_cast<int>(glm::dot(d, dvec3(chart_.t)) / static_cast<double>(cut.cell.x)),
-                   0, cut.nu - 1);
-    const int j =
-        std::clamp(static_cast<int>(glm::dot(d, dvec3(chart_.b)) / static_cast<double>(cut.cell.y)),
-                   0, cut.nv - 1);
-    return static_cast<std::size_t>(j * cut.nu + i);
+    const auto along = [&](const vec3& axis, float cell, int count) {
+      const double x = glm::dot(d, dvec3(axis)) / static_cast<double>(cell);
+      return std::clamp(static_cast<int>(x), 0, count - 1);
+    };
+    return static_cast<std::size_t>(along(chart_.b, cut.cell.y, cut.nv) * cut.nu +
+                                    along(chart_.t, cut.cell.x, cut.nu));
+  }
+  [[nodiscard]] std::size_t nearest(const dvec3& p) const {
+    return *std::min_element(cells_.begin(), cells_.end(), [&](std::size_t a, std::size_t b) {
+      return glm::distance(dvec3(pointAt(a)), p) < glm::distance(dvec3(pointAt(b)), p);
+    });
   }
   /// Whether the whole of a fine cell is surface of this texel.
-  [[nodiscard]] bool counts(std::size_t i) const {
+  [[nodiscard]] bool isWhole(std::size_t i) const {
     const double full =
         static_cast<double>(grid_.cut->cell.x) * static_cast<double>(grid_.cut->cell.y);
-    return std::find(cells_.begin(), cells_.end(), i) != cells_.end() && coverAt(i) == kind_ &&
-           shareAt(i) == 1.0F && grid_.cut->cells[i].area > 0.999 * full;
+    return std::find(cells_.begin(), cells_.end(), i) != cells_.end() && shareAt(i) == 1.0F &&
+           grid_.cut->cells[i].area > 0.999 * full;
   }
   [[nodiscard]] float shareAt(std::size_t i) const {
     return grid_.outlook.empty() ? 1.0F : grid_.outlook[i].share;
@@ -105,7 +92,6 @@ class CellSum {
   const SplitGrid& grid_;
   const Chart& chart_;
   std::span<const std::size_t> cells_;
-  Cover kind_ = Cover::none;
 };
 
 /// Covered cells that nothing was counted for take the nearest texel's number: a ray that meets
@@ -135,26 +121,24 @@ void addPlanarSide(const Chart& chart, const SplitGrid& grid, const vec3& n, Dra
   const std::size_t base = out.cells.size();
   const std::size_t count = grid.cut->cells.size();
   out.cells.resize(base + count, kNoTexel);
+  for (std::size_t i = 0; i < count; ++i) {
+    draft.open.push_back(grid.outlook.empty() ? std::uint8_t{0} : grid.outlook[i].open);
+  }
   std::vector<std::size_t> cells;
   for (std::size_t b = 0; b < grid.groups.size(); ++b) {
     out.split.push_back(grid.groups[b] > 1 ? 1 : 0);
     for (std::uint8_t group = 0; group < grid.groups[b]; ++group) {
       cells.clear();
       grid.forEachCell(b, [&](std::size_t i) {
-        if (grid.cut->cells[i].area > 0.0 && grid.cut->cells[i].owner == i &&
-            grid.group[i] == group)
+        if (grid.exposed(i) && grid.cut->cells[i].owner == i && grid.group[i] == group) {
           cells.push_back(i);
+        }
       });
       if (cells.empty()) continue;
-      const CellSum sum(grid, chart, cells);
-      if (sum.covered()) continue;
-      const SurfacePlace place = sum.place();
+      const SurfacePlace place = CellSum(grid, chart, cells).place();
       const std::uint32_t texel =
           draft.add(place.point, n, place.area, chart.material, place.triangle);
-      for (const std::size_t i : cells) {
-        // What matter covers takes the number of the texel that turns out to be nearest.
-        if (grid.exposed(i)) out.cells[base + i] = texel;
-      }
+      for (const std::size_t i : cells) out.cells[base + i] = texel;
     }
   }
   for (std::size_t i = 0; i < count; ++i) {
@@ -258,6 +242,7 @@ void addCurvedChart(const geometry::Mesh& mesh, std::span<const std::uint8_t> me
                             ? draft.add(place.point, n, place.area, chart.material, place.triangle)
                             : kNoTexel);
     out.split.push_back(0);
+    draft.open.push_back(0);
   }
 }
 
@@ -296,7 +281,7 @@ Texels makeTexels(const geometry::Mesh& mesh, std::span<const std::uint8_t> side
   // Charts of half a base cell are worth a grid of their own, as base cells may be split.
   out.charts = makeCharts(mesh, sides, caster == nullptr ? cell : kChartShare * cell);
   Cutting cutting = cutCharts(mesh, sides, out, caster);
-  if (caster != nullptr && count > 0) {
+  if (caster != nullptr) {
     std::size_t curved = 0;
     for (const Chart& chart : out.charts.charts)
       curved += chart.planar ? 0 : (chart.sides == kBothSides ? 2 : 1);
@@ -327,7 +312,7 @@ Texels makeTexels(const geometry::Mesh& mesh, std::span<const std::uint8_t> side
     }
     out.grids.push_back(grid);
   }
-  const Regions regions = findRegions(out, draft.position, draft.normal, caster);
+  const Regions regions = findRegions(out, draft.open, draft.position, draft.normal, caster);
   out.receivers = light::makeReceivers(draft.position, draft.normal, kClusterSize, regions.number);
   const std::size_t slots = out.receivers.slotCount();
   out.area.assign(slots, 0.0F);

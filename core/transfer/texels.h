@@ -85,7 +85,8 @@ struct Texels {
 /// caster  rays find what is covered by other things (such cells carry no light, and their area is
 ///         not counted: Cover), where light may change within a cell, and where walls stand on a
 ///         surface: no cluster reaches through one. Null: nothing is covered or split.
-/// count   with a caster: cells are split until there are about so many texels (cell_splits.h).
+/// count   with a caster: cells are split, where a wall or gap does not ask for it anyway, until
+/// there are about so many texels (cell_splits.h).
 ///
 /// Fine cells that a chart's edge cuts to less than a twentieth join a neighbour; the sum of texel
 /// areas equals the area of all lit sides that nothing covers, up to the samples' resolution.

@@ -34,7 +34,7 @@ TEST(MaterialAreas, AreThoseOfOneSide) {
 TEST(Reflectance, IsLuminanceAndCountsSpecularAndMap) {
   Material m;
   m.diffuse = {1.0, 0.0, 0.0};
-  EXPECT_NEAR(reflectance(m), 0.2126, 1e-12);
+  EXPECT_NEAR(reflectance(m), 0.2126390058715104, 1e-12);  // of red, IEC 61966-2-1
   m.diffuse = dvec3(0.8);
   m.specular = 0.04;
   EXPECT_NEAR(reflectance(m), 0.84, 1e-12);
@@ -64,6 +64,15 @@ TEST(ImplausibleReflectances, LeavesPaintGlassAndUnusedMaterialsAlone) {
   Scene scene = sheetOf({});
   scene.materials.push_back({.name = "left over", .diffuse = dvec3(1.0)});
   EXPECT_TRUE(implausibleReflectances(scene).empty());
+}
+
+TEST(Reflectance, OfAGreyMapAndOfOneWithOpacity) {
+  Material grey;
+  grey.diffuse = dvec3(1.0);
+  grey.diffuse_image = std::make_shared<const Image>(Image{2, 2, 1, {0.1F, 0.2F, 0.3F, 0.4F}});
+  EXPECT_NEAR(reflectance(grey), 0.25, 1e-6);
+  grey.diffuse_image = std::make_shared<const Image>(Image{1, 1, 4, {0.5F, 0.5F, 0.5F, 0.0F}});
+  EXPECT_NEAR(reflectance(grey), 0.5, 1e-6);
 }
 
 }  // namespace
