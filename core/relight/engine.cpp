@@ -28,6 +28,7 @@ const std::map<std::string, Setting>& settings() {
       {"field_rays", {4, 128, [](QualitySettings& q, double v) { q.bake.field_rays = static_cast<int>(v); }}},
       {"list_rays", {4, 256, [](QualitySettings& q, double v) { q.bake.list_rays = static_cast<int>(v); }}},
       {"max_rank", {1, 128, [](QualitySettings& q, double v) { q.bake.max_rank = static_cast<int>(v); }}},
+      {"lists", {0.01, 1, [](QualitySettings& q, double v) { q.bake.lists = v; }}},
       {"tolerance", {1e-6, 1, [](QualitySettings& q, double v) { q.bake.tolerance = v; }}},
       {"sensor_rays", {4, 1024, [](QualitySettings& q, double v) { q.sensor_rays = static_cast<int>(v); }}},
   };
@@ -44,11 +45,10 @@ Result<QualitySettings> qualitySettings(const scene::Quality& quality) {
     q.bake.field_rays = 12;
     q.bake.list_rays = 24;
     q.bake.max_rank = 16;
-    q.bake.tolerance = 0.02;
+    q.bake.tolerance = 0.1;
     q.sensor_rays = 32;
   } else if (quality.preset == "final") {
     q.bake.texels = 200000;
-    q.bake.tolerance = 0.004;
     q.bake.list_rays = 64;
     q.sensor_rays = 96;
   } else if (quality.preset != "interactive" && !quality.preset.empty()) {

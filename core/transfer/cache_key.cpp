@@ -60,7 +60,7 @@ std::string cacheKey(const StaticScene& scene, const BakeSettings& settings) {
   summary.add(scene.sides);
   // Taken apart like this, a setting that is added later does not compile until it counts too.
   const auto& [texels, whole_cells, least_cell, patch, node_rays, trainings, field_rays, list_rays, max_rank,
-               tolerance, seed] = settings;
+               lists, tolerance, seed] = settings;
   summary.add(texels);
   summary.add(whole_cells);
   summary.add(least_cell);
@@ -70,6 +70,7 @@ std::string cacheKey(const StaticScene& scene, const BakeSettings& settings) {
   summary.add(field_rays);
   summary.add(list_rays);
   summary.add(max_rank);
+  summary.add(lists);
   summary.add(tolerance);
   summary.add(seed);
   return summary.hex();

@@ -32,11 +32,24 @@ struct Draft {
   }
 };
 
+/// What stands over a point of one side of a chart; without a caster nothing does.
+struct CoverProbe {
+  const geometry::Mesh& mesh;
+  std::span<const std::uint8_t> sides;
+  const geometry::RayCaster* caster = nullptr;
+  vec3 n{0.0F};
+  float gap = 0.0F;
+  [[nodiscard]] Cover at(const vec3& p) const {
+    return caster == nullptr ? Cover::none : coverOf(mesh, sides, *caster, p, n, gap);
+  }
+};
+
 /// Exposed cells of a texel under way.
 class CellSum {
  public:
-  CellSum(const SplitGrid& grid, const Chart& chart, std::span<const std::size_t> cells)
-      : grid_(grid), chart_(chart), cells_(cells) {}
+  CellSum(const SplitGrid& grid, const Chart& chart, const CoverProbe& probe,
+          std::span<const std::size_t> cells)
+      : grid_(grid), chart_(chart), probe_(probe), cells_(cells) {}
   [[nodiscard]] SurfacePlace place() const {
     SurfacePlace out;
     dvec3 center(0.0);
@@ -47,7 +60,8 @@ class CellSum {
     }
     if (out.area > 0.0) center /= out.area;
     const std::size_t middle = cellOf(center);
-    if (isWhole(middle)) {
+    // The middle lies between the fine cells' own points: a lamp's post there is news.
+    if (isWhole(middle) && probe_.at(vec3(center)) == coverAt(middle)) {
       out.point = vec3(center);
       out.triangle = grid_.cut->cells[middle].triangle;
       return out;
@@ -83,6 +97,9 @@ class CellSum {
     return std::find(cells_.begin(), cells_.end(), i) != cells_.end() && shareAt(i) == 1.0F &&
            grid_.cut->cells[i].area > 0.999 * full;
   }
+  [[nodiscard]] Cover coverAt(std::size_t i) const {
+    return grid_.outlook.empty() ? Cover::none : grid_.outlook[i].cover;
+  }
   [[nodiscard]] float shareAt(std::size_t i) const {
     return grid_.outlook.empty() ? 1.0F : grid_.outlook[i].share;
   }
@@ -91,6 +108,7 @@ class CellSum {
   }
   const SplitGrid& grid_;
   const Chart& chart_;
+  const CoverProbe& probe_;
   std::span<const std::size_t> cells_;
 };
 
@@ -116,7 +134,7 @@ void spreadNumbers(const SplitGrid& grid, std::span<std::uint32_t> numbers) {
   }
 }
 
-void addPlanarSide(const Chart& chart, const SplitGrid& grid, const vec3& n, Draft& draft,
+void addPlanarSide(const Chart& chart, const SplitGrid& grid, const CoverProbe& probe, Draft& draft,
                    Texels& out) {
   const std::size_t base = out.cells.size();
   const std::size_t count = grid.cut->cells.size();
@@ -135,9 +153,9 @@ void addPlanarSide(const Chart& chart, const SplitGrid& grid, const vec3& n, Dra
         }
       });
       if (cells.empty()) continue;
-      const SurfacePlace place = CellSum(grid, chart, cells).place();
+      const SurfacePlace place = CellSum(grid, chart, probe, cells).place();
       const std::uint32_t texel =
-          draft.add(place.point, n, place.area, chart.material, place.triangle);
+          draft.add(place.point, probe.n, place.area, chart.material, place.triangle);
       for (const std::size_t i : cells) out.cells[base + i] = texel;
     }
   }
@@ -304,8 +322,9 @@ Texels makeTexels(const geometry::Mesh& mesh, std::span<const std::uint8_t> side
       std::size_t g = cutting.first[c];
       for (const Sides side : {kFront, kBack}) {
         if ((chart.sides & side) == 0) continue;
-        addPlanarSide(chart, cutting.grids[g++], side == kFront ? chart.normal : -chart.normal,
-                      draft, out);
+        const CoverProbe probe{mesh, sides, caster, side == kFront ? chart.normal : -chart.normal,
+                               static_cast<float>(Texels::kGapShare * out.cell)};
+        addPlanarSide(chart, cutting.grids[g++], probe, draft, out);
       }
     } else if (!chart.planar) {
       addCurvedChart(mesh, sides, chart, caster, draft, out);

@@ -58,7 +58,7 @@ TEST(CacheKey, ChangesWithEverySetting) {
       [](BakeSettings& s) { s.patch = 64; },         [](BakeSettings& s) { ++s.node_rays; },
       [](BakeSettings& s) { ++s.trainings; },        [](BakeSettings& s) { ++s.field_rays; },
       [](BakeSettings& s) { ++s.list_rays; },        [](BakeSettings& s) { ++s.max_rank; },
-      [](BakeSettings& s) { s.tolerance *= 0.999; }, [](BakeSettings& s) { ++s.seed; }};
+      [](BakeSettings& s) { s.lists *= 0.999; }, [](BakeSettings& s) { s.tolerance *= 0.999; }, [](BakeSettings& s) { ++s.seed; }};
   std::set<std::string> keys{cacheKey(scene, {})};
   for (const auto& change : changes) {
     BakeSettings settings;

@@ -21,7 +21,7 @@ BakeSettings settings() {
   s.field_rays = 16;
   s.list_rays = 24;
   s.max_rank = 12;
-  s.tolerance = 0.02;
+  s.tolerance = 0.05;
   return s;
 }
 
@@ -143,7 +143,7 @@ TEST(Skeleton, ListAreasAreSumsOfAreaTimesWeight) {
 
 TEST(Skeleton, ACoarserToleranceNeedsFewerPoints) {
   BakeSettings coarse = settings();
-  coarse.tolerance = 0.2;
+  coarse.tolerance = 0.5;
   EXPECT_LT(baked(coarse)->lists.lists.size(), ordinary().lists.lists.size());
 }
 
