@@ -7,7 +7,6 @@
 
 #include <bit>
 
-#include "core/base/parallel.h"
 #include "core/transfer/kernels.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,45 +16,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Vectors never exceed 16 lanes, so that strides of 16 always divide.
 using D = hn::CappedTag<float, 16>;
 constexpr D d;
-
-template <int kVectors>
-void MultiplyVectors(const float* matrix, std::size_t stride, std::size_t rows, const float* const* x,
-                     float* const* y, std::size_t offset) {
-  const std::size_t lanes = hn::Lanes(d);
-  using V = hn::Vec<D>;
-  for (std::size_t r = 0; r < rows; ++r) {
-    const float* row = matrix + r * stride;
-    V sum0[kVectors];
-    V sum1[kVectors];
-    for (int i = 0; i < kVectors; ++i) sum0[i] = sum1[i] = hn::Zero(d);
-    std::size_t c = 0;
-    for (; c + 2 * lanes <= stride; c += 2 * lanes) {
-      const V m0 = hn::LoadU(d, row + c);
-      const V m1 = hn::LoadU(d, row + c + lanes);
-      for (int i = 0; i < kVectors; ++i) {
-        sum0[i] = hn::MulAdd(m0, hn::LoadU(d, x[i] + c), sum0[i]);
-        sum1[i] = hn::MulAdd(m1, hn::LoadU(d, x[i] + c + lanes), sum1[i]);
-      }
-    }
-    for (; c < stride; c += lanes) {
-      const V m = hn::LoadU(d, row + c);
-      for (int i = 0; i < kVectors; ++i) sum0[i] = hn::MulAdd(m, hn::LoadU(d, x[i] + c), sum0[i]);
-    }
-    for (int i = 0; i < kVectors; ++i) {
-      y[i][offset + r] = hn::GetLane(hn::SumOfLanes(d, hn::Add(sum0[i], sum1[i])));
-    }
-  }
-}
-
-void MultiplyRows(const float* matrix, std::size_t stride, std::size_t rows, const float* const* x, float* const* y,
-                  std::size_t offset, std::size_t vectors) {
-  switch (vectors) {
-    case 1: MultiplyVectors<1>(matrix, stride, rows, x, y, offset); break;
-    case 2: MultiplyVectors<2>(matrix, stride, rows, x, y, offset); break;
-    case 3: MultiplyVectors<3>(matrix, stride, rows, x, y, offset); break;
-    default: break;
-  }
-}
 
 /// Entries at..at+lanes of which `left` count: slots within the cluster, and rays.
 struct Taps {
@@ -177,43 +137,6 @@ void GatherRgb(const GatherLists& lists, std::size_t first, const float* x, cons
 #endif
 }
 
-void GatherNodes(const NodeLists& lists, std::size_t first, const float* b, float* y, std::size_t count) {
-#if HWY_TARGET == HWY_SCALAR
-  for (std::size_t k = 0; k < count; ++k) {
-    const NodeLists::List& list = lists.lists[first + k];
-    for (std::uint32_t e = list.first; e < list.first + list.count; ++e) {
-      const NodeLists::Entry& entry = lists.entries[e];
-      const float* from = b + 4 * static_cast<std::size_t>(lists.first_function[entry.patch]);
-      const int functions = lists.function_count[entry.patch];
-      for (int c = 0; c < 4; ++c) {
-        float v = static_cast<float>(entry.count) * from[c];
-        if (functions > 1) v += static_cast<float>(entry.phi1) * NodeLists::kStep * from[4 + c];
-        if (functions > 2) v += static_cast<float>(entry.phi2) * NodeLists::kStep * from[8 + c];
-        y[4 * k + static_cast<std::size_t>(c)] += v * list.scale;
-      }
-    }
-  }
-#else
-  using D4 = hn::CappedTag<float, 4>;
-  constexpr D4 d4;
-  for (std::size_t k = 0; k < count; ++k) {
-    const NodeLists::List& list = lists.lists[first + k];
-    auto sum0 = hn::Zero(d4);
-    auto sum1 = hn::Zero(d4);
-    for (std::uint32_t e = list.first; e < list.first + list.count; ++e) {
-      const NodeLists::Entry& entry = lists.entries[e];
-      const float* from = b + 4 * static_cast<std::size_t>(lists.first_function[entry.patch]);
-      // Patches with fewer functions carry 0 in phi1, phi2; b is padded so that the loads are safe.
-      sum0 = hn::MulAdd(hn::Set(d4, static_cast<float>(entry.count)), hn::LoadU(d4, from), sum0);
-      sum1 = hn::MulAdd(hn::Set(d4, static_cast<float>(entry.phi1)), hn::LoadU(d4, from + 4), sum1);
-      sum1 = hn::MulAdd(hn::Set(d4, static_cast<float>(entry.phi2)), hn::LoadU(d4, from + 8), sum1);
-    }
-    const auto sum = hn::MulAdd(hn::Set(d4, NodeLists::kStep), sum1, sum0);
-    hn::StoreU(hn::MulAdd(sum, hn::Set(d4, list.scale), hn::LoadU(d4, y + 4 * k)), d4, y + 4 * k);
-  }
-#endif
-}
-
 void Interpolate(const float* weights, const float* y, std::size_t rank, std::size_t slots, float* out_r,
                  float* out_g, float* out_b) {
   const std::size_t lanes = hn::Lanes(d);
@@ -247,20 +170,10 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace soffit::transfer {
 
-HWY_EXPORT(MultiplyRows);
 HWY_EXPORT(GatherTinted);
 HWY_EXPORT(GatherRgb);
-HWY_EXPORT(GatherNodes);
 HWY_EXPORT(Interpolate);
 HWY_EXPORT(AddScaled);
-
-void multiplyRows(std::span<const float> matrix, std::size_t stride, std::size_t rows,
-                  std::span<const float* const> x, std::span<float* const> y) {
-  parallelFor(rows, 128, [&](std::size_t begin, std::size_t end) {
-    HWY_DYNAMIC_DISPATCH(MultiplyRows)(matrix.data() + begin * stride, stride, end - begin, x.data(), y.data(), begin,
-                                       x.size());
-  });
-}
 
 void gatherTinted(const GatherLists& lists, std::size_t first, const TintedLight& light, std::span<vec4> y) {
   static_assert(sizeof(GatherLists::Entry) == 2 && std::endian::native == std::endian::little,
@@ -274,11 +187,6 @@ void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x
   static_assert(sizeof(vec4) == 4 * sizeof(float));
   if (y.empty()) return;
   HWY_DYNAMIC_DISPATCH(GatherRgb)(lists, first, &x[0].x, lit_of.empty() ? nullptr : lit_of.data(), &y[0].x, y.size());
-}
-
-void gatherNodes(const NodeLists& lists, std::size_t first, std::span<const vec4> b, std::span<vec4> y) {
-  if (y.empty()) return;
-  HWY_DYNAMIC_DISPATCH(GatherNodes)(lists, first, &b[0].x, &y[0].x, y.size());
 }
 
 void interpolate(std::span<const float> weights, std::span<const vec4> y, std::size_t slots, float* out_r,

@@ -3,7 +3,6 @@
 
 #include "core/math/vec.h"
 #include "core/transfer/gather_lists.h"
-#include "core/transfer/node_lists.h"
 
 #include <array>
 #include <bit>
@@ -12,12 +11,6 @@
 
 /// The loops that run on every move, for the widest vector unit at hand (Highway).
 namespace soffit::transfer {
-
-/// y_i[r] = sum_c matrix[r*stride + c] x_i[c], r < rows, for one to three vectors i at once: the
-/// matrix is read once. x_i has `stride` elements (a multiple of 16), y_i at least `rows`.
-/// In parallel; the order of summation within a row does not depend on the thread count.
-void multiplyRows(std::span<const float> matrix, std::size_t stride, std::size_t rows,
-                  std::span<const float* const> x, std::span<float* const> y);
 
 /// Up to 16 reflectances that the slots of one cluster share.
 struct Palette {
@@ -47,9 +40,6 @@ void gatherTinted(const GatherLists& lists, std::size_t first, const TintedLight
 /// 0 where x is known to be 0 (those taps are skipped); empty: all.
 void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x, std::span<const std::uint8_t> lit,
             std::span<vec4> y);
-
-/// y[k] += node list first+k of b: RGB + padding per node function (NodeLists).
-void gatherNodes(const NodeLists& lists, std::size_t first, std::span<const vec4> b, std::span<vec4> y);
 
 /// out_c[s] += sum_k weights[k*slots + s] y[k].c for c = x, y, z; slots a multiple of 16.
 void interpolate(std::span<const float> weights, std::span<const vec4> y, std::size_t slots, float* out_r,

@@ -56,7 +56,8 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
       texels;
   auto& [x, y, z, nx, ny, nz, slot_of, point_of, receiver_clusters, groups] = receivers;
   auto& [chart_list, chart_triangles, chart_of] = charts;
-  auto& [patches, patch_of, phi, functions, matrix, stride] = nodes;
+  auto& [patches, patch_of, phi, functions, stride, matrix] = nodes;
+  auto& [matrix_first, matrix_blocks] = matrix;
   auto& [list_entries, list_blocks, list_list] = lists;
   auto& [node_entries, node_list, first_function, function_count] = node_lists;
   visit("scalars", records.scalars);  // cell, functions, stride, coarse
@@ -92,7 +93,8 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   visit("nodes.patches", patches);
   visit("nodes.patch_of", patch_of);
   visit("nodes.phi", phi);
-  visit("nodes.matrix", matrix);
+  visit("nodes.matrix_first", matrix_first);
+  visit("nodes.matrix_blocks", matrix_blocks);
   visit("lists.entries", list_entries);
   visit("lists.blocks", list_blocks);
   visit("lists.lists", list_list);
@@ -116,6 +118,7 @@ static_assert(is_packed<light::Receivers::Bounds, 3 * 12 + 4>);
 static_assert(is_packed<light::Receivers::Cluster, 3 * 4 + sizeof(light::Receivers::Bounds)>);
 static_assert(is_packed<Texels::Grid, 6 * 4 + 8>);
 static_assert(is_packed<Nodes::Patch, 4 * 4 + 8>);
+static_assert(is_packed<NodeMatrix::Block, 4 + 9 * 4>);
 static_assert(is_packed<GatherLists::Entry, 2>);
 static_assert(is_packed<GatherLists::Block, 4 * 4>);
 static_assert(is_packed<GatherLists::List, 3 * 4>);

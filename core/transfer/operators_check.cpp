@@ -96,17 +96,40 @@ bool texelsAreSane(const Texels& texels) {
          std::isfinite(texels.cell);
 }
 
-bool nodesAreSane(const Nodes& nodes, std::size_t slots) {
+/// Patches follow each other without gaps, each within one cluster and of whole groups; so do their
+/// functions.
+bool patchesAreSane(const Nodes& nodes, const light::Receivers& receivers) {
+  std::uint64_t function = 0;
+  std::uint64_t slot = 0;
+  std::size_t cluster = 0;
+  for (const Nodes::Patch& p : nodes.patches) {
+    if (cluster == receivers.clusters.size() || p.begin != slot || p.end <= p.begin) return false;
+    if (p.end > receivers.clusters[cluster].end || p.end % light::Receivers::kGroup != 0)
+      return false;
+    if (!std::isfinite(p.area) || p.first != function || p.count < 1 || p.count > 3) return false;
+    function += p.count;
+    slot = p.end;
+    if (slot == receivers.clusters[cluster].end) ++cluster;
+  }
+  return slot == receivers.slotCount() && nodes.functions == function &&
+         nodes.stride == (nodes.functions + 15) / 16 * 16;
+}
+
+bool matrixIsSane(const NodeMatrix& matrix, std::size_t patches) {
+  if (patches == 0) return matrix.first.size() <= 1 && matrix.blocks.empty();
+  if (matrix.first.size() != patches + 1 || matrix.first.front() != 0) return false;
+  if (!std::is_sorted(matrix.first.begin(), matrix.first.end())) return false;
+  if (matrix.first.back() != matrix.blocks.size()) return false;
+  return std::all_of(matrix.blocks.begin(), matrix.blocks.end(), [&](const auto& block) {
+    return block.sender < patches && sane(block.value);
+  });
+}
+
+bool nodesAreSane(const Nodes& nodes, const light::Receivers& receivers) {
+  const std::size_t slots = receivers.slotCount();
   if (nodes.patch_of.size() != slots || nodes.phi.size() != slots) return false;
   if (!below(nodes.patch_of, nodes.patches.size()) || !saneVectors(nodes.phi)) return false;
-  std::uint64_t next = 0;  // functions are numbered one after the other
-  for (const Nodes::Patch& p : nodes.patches) {
-    if (p.begin > p.end || p.end > slots || !std::isfinite(p.area)) return false;
-    if (p.first != next || p.count < 1 || p.count > 3) return false;
-    next += p.count;
-  }
-  if (nodes.functions != next || nodes.stride != (nodes.functions + 15) / 16 * 16) return false;
-  return nodes.matrix.size() == nodes.functions * nodes.stride && sane(nodes.matrix);
+  return patchesAreSane(nodes, receivers) && matrixIsSane(nodes.matrix, nodes.patches.size());
 }
 
 bool gatherListsAreSane(const GatherLists& lists, const light::Receivers& receivers) {
@@ -182,7 +205,7 @@ std::string inconsistency(const Operators& operators) {
       !below(operators.fill_from, slots)) {
     return "texel areas";
   }
-  if (!nodesAreSane(operators.nodes, slots)) return "nodes";
+  if (!nodesAreSane(operators.nodes, operators.texels.receivers)) return "nodes";
   if (!gatherListsAreSane(operators.lists, operators.texels.receivers)) return "gather lists";
   if (!nodeListsAreSane(operators.node_lists, operators)) return "node lists";
   if (!weightsAreSane(operators)) return "weights";

@@ -66,7 +66,8 @@ void expectSame(const Operators& a, const Operators& b) {
   expectSameTexels(a.texels, b.texels);
   EXPECT_TRUE(same(a.area, b.area) && same(a.fill_from, b.fill_from) && same(a.kept, b.kept));
   EXPECT_TRUE(same(a.nodes.patches, b.nodes.patches) && same(a.nodes.patch_of, b.nodes.patch_of));
-  EXPECT_TRUE(same(a.nodes.phi, b.nodes.phi) && same(a.nodes.matrix, b.nodes.matrix));
+  EXPECT_TRUE(same(a.nodes.phi, b.nodes.phi) && same(a.nodes.matrix.first, b.nodes.matrix.first));
+  EXPECT_TRUE(same(a.nodes.matrix.blocks, b.nodes.matrix.blocks));
   EXPECT_EQ(a.nodes.functions, b.nodes.functions);
   EXPECT_EQ(a.nodes.stride, b.nodes.stride);
   EXPECT_TRUE(same(a.lists.entries, b.lists.entries) && same(a.lists.blocks, b.lists.blocks));

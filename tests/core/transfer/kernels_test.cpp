@@ -2,7 +2,6 @@
 // The loops against plain ones, with lengths that no vector unit divides.
 #include "core/transfer/kernels.h"
 
-#include "core/base/parallel.h"
 #include "core/math/rng.h"
 
 #include <gtest/gtest.h>
@@ -18,55 +17,6 @@ std::vector<float> randoms(std::size_t n, std::uint64_t seed) {
   std::vector<float> v(n);
   for (float& x : v) x = 2.0F * rng.uniform() - 1.0F;
   return v;
-}
-
-TEST(MultiplyRows, IsTheProductForAnyNumberOfRowsAndVectors) {
-  for (const std::size_t stride : {16U, 32U, 48U, 64U, 160U, 1008U}) {
-    for (const std::size_t rows : {1U, 3U, 15U, 17U, 100U}) {
-      for (const std::size_t vectors : {1U, 2U, 3U}) {
-        const std::vector<float> matrix = randoms(rows * stride, 1);
-        std::vector<std::vector<float>> x;
-        std::vector<std::vector<float>> y(vectors, std::vector<float>(rows + 1, 77.0F));
-        std::vector<const float*> px;
-        std::vector<float*> py;
-        for (std::size_t i = 0; i < vectors; ++i) x.push_back(randoms(stride, 2 + i));
-        for (std::size_t i = 0; i < vectors; ++i) {
-          px.push_back(x[i].data());
-          py.push_back(y[i].data());
-        }
-        multiplyRows(matrix, stride, rows, px, py);
-        for (std::size_t i = 0; i < vectors; ++i) {
-          for (std::size_t r = 0; r < rows; ++r) {
-            double expected = 0.0;
-            for (std::size_t c = 0; c < stride; ++c) {
-              expected +=
-                  static_cast<double>(matrix[r * stride + c]) * static_cast<double>(x[i][c]);
-            }
-            // Round-off: `stride` products of at most 1.
-            EXPECT_NEAR(static_cast<double>(y[i][r]), expected, static_cast<double>(stride) * 6e-8);
-          }
-          EXPECT_EQ(y[i][rows], 77.0F);  // nothing beyond
-        }
-      }
-    }
-  }
-}
-
-TEST(MultiplyRows, DoesNotDependOnTheNumberOfThreads) {
-  const std::size_t rows = 517;
-  const std::size_t stride = 528;
-  const std::vector<float> matrix = randoms(rows * stride, 1);
-  const std::vector<float> x = randoms(stride, 2);
-  const auto run = [&](int threads) {
-    setThreadCount(threads);
-    std::vector<float> y(rows);
-    const float* px = x.data();
-    float* py = y.data();
-    multiplyRows(matrix, stride, rows, std::span(&px, 1), std::span(&py, 1));
-    setThreadCount(0);
-    return y;
-  };
-  EXPECT_EQ(run(1), run(2));
 }
 
 TEST(Interpolate, AddsTheWeightedSums) {
