@@ -46,39 +46,10 @@ Solver::Solver(std::shared_ptr<const transfer::StaticScene> scene, std::shared_p
 
 void Solver::setMaterials(std::span<const scene::Material> materials) {
   reflectances_ = makeReflectances(operators_->texels, materials);
-  makePalettes();
   const auto& rho = reflectances_.rho;
   const std::array<std::span<const float>, 3> channels = {rho[0], rho[1], rho[2]};
   nodes_.reset();
   if (operators_->nodes.functions > 0) nodes_.emplace(operators_->nodes, operators_->area, channels);
-}
-
-void Solver::makePalettes() {
-  const auto& clusters = operators_->texels.receivers.clusters;
-  const auto& rho = reflectances_.rho;
-  palettes_.assign(clusters.size(), {});
-  place_.assign(operators_->texels.slotCount(), 0);
-  parallelFor(clusters.size(), 32, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      transfer::Palette& palette = palettes_[i];
-      for (std::uint32_t s = clusters[i].begin; s < clusters[i].end; ++s) {
-        std::uint32_t k = 0;
-        while (k < palette.size && (palette.rho[0][k] != rho[0][s] || palette.rho[1][k] != rho[1][s] ||
-                                    palette.rho[2][k] != rho[2][s])) {
-          ++k;
-        }
-        if (k == transfer::Palette::kMost) {
-          palette.size = 0;
-          break;
-        }
-        if (k == palette.size) {
-          for (std::size_t c = 0; c < 3; ++c) palette.rho[c][k] = rho[c][s];
-          ++palette.size;
-        }
-        place_[s] = static_cast<std::uint8_t>(k);
-      }
-    }
-  });
 }
 
 void Solver::direct(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies, Column& column,
@@ -118,32 +89,46 @@ vec4 Solver::conservingScale(const dvec3& sent, std::span<const vec4> y) const {
   return scale;
 }
 
+dvec3 Solver::sendDirect(const Column& column, std::span<const float> open, std::span<vec4> x,
+                         std::span<std::uint8_t> lit) const {
+  const transfer::Operators& op = *operators_;
+  const auto& clusters = op.texels.receivers.clusters;
+  const auto& rho = reflectances_.rho;
+  std::vector<dvec3> sent_by(clusters.size(), dvec3(0.0));
+  parallelFor(clusters.size(), 32, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (column.lit[i] == 0) continue;
+      vec3 sum(0.0F);
+      for (std::uint32_t s = clusters[i].begin; s < clusters[i].end; ++s) {
+        const vec3 b = directAt(column, open, s) * vec3(rho[0][s], rho[1][s], rho[2][s]);
+        x[s] = vec4(b, 0.0F);
+        sum += op.area[s] * op.kept[s] * b;
+      }
+      sent_by[i] = dvec3(sum);
+    }
+  });
+  dvec3 sent(0.0);
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    if (column.lit[i] == 0) continue;
+    sent += sent_by[i];
+    lit[clusters[i].begin / transfer::GatherLists::kPage] = 1;
+    lit[(clusters[i].end - 1) / transfer::GatherLists::kPage] = 1;
+  }
+  return sent;
+}
+
 void Solver::firstBounce(Column& column, std::span<const float> open, std::span<transfer::PatchLight> sent,
                          Planes* e1) const {
   const transfer::Operators& op = *operators_;
   const auto& clusters = op.texels.receivers.clusters;
-  std::vector<float> lux(op.texels.slotCount());
-  std::vector<dvec3> sent_by(clusters.size(), dvec3(0.0));
-  parallelFor(clusters.size(), 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (column.lit[i] == 0) continue;  // these taps are skipped
-      for (std::uint32_t s = clusters[i].begin; s < clusters[i].end; ++s) {
-        const float e = directAt(column, open, s);
-        lux[s] = transfer::TintedLight::pack(e, place_[s]);
-        const float a = op.area[s] * op.kept[s] * e;
-        sent_by[i] += dvec3(a * reflectances_.rho[0][s], a * reflectances_.rho[1][s], a * reflectances_.rho[2][s]);
-      }
-    }
-  });
-  const transfer::TintedLight light{
-      lux, {reflectances_.rho[0], reflectances_.rho[1], reflectances_.rho[2]}, palettes_, column.lit};
+  std::vector<vec4> x(op.texels.slotCount(), vec4(0.0F));
+  std::vector<std::uint8_t> lit(x.size() / transfer::GatherLists::kPage + 1);
+  const dvec3 all = sendDirect(column, open, x, lit);
   std::vector<vec4>& y = column.skeleton;
   y.resize(op.lists.lists.size());
   parallelFor(y.size(), 64, [&](std::size_t begin, std::size_t end) {
-    transfer::gatherTinted(op.lists, begin, light, std::span(y).subspan(begin, end - begin));
+    transfer::gather(op.lists, begin, x, lit, std::span(y).subspan(begin, end - begin));
   });
-  dvec3 all(0.0);
-  for (const dvec3& s : sent_by) all += s;
   const vec4 scale = conservingScale(all, y);
   parallelFor(clusters.size(), 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

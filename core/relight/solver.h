@@ -80,11 +80,13 @@ class Solver {
 
  private:
   using Planes = std::array<std::vector<float>, 3>;
-  void makePalettes();
   void addCluster(const Column& column, const vec4& weight, std::size_t cluster, Planes& total) const;
   void coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const;
   /// Skeleton and what the patches send after it; e1: its light per slot, if wanted.
   void firstBounce(Column& column, std::span<const float> open, std::span<transfer::PatchLight> sent, Planes* e1) const;
+  /// Radiosity of direct light per slot, which pages have any (GatherLists), and the sum that stays in the scene.
+  dvec3 sendDirect(const Column& column, std::span<const float> open, std::span<vec4> x,
+                   std::span<std::uint8_t> lit) const;
   void interpolateFirst(std::span<const vec4> y, std::span<const float> open, std::size_t cluster,
                         std::span<transfer::PatchLight> sent, Planes* e1) const;
   void addFromNodes(std::span<const transfer::PatchLight> sent, std::vector<vec4>& y) const;
@@ -101,8 +103,6 @@ class Solver {
   transfer::ShadowGroups shadow_groups_;
   Reflectances reflectances_;
   std::optional<transfer::NodeSolver> nodes_;  ///< none without nodes
-  std::vector<transfer::Palette> palettes_;    ///< per cluster
-  std::vector<std::uint8_t> place_;            ///< per slot: in its cluster's palette
   std::vector<std::uint32_t> filled_;         ///< slots that show another's light
   std::vector<std::uint32_t> first_patch_;    ///< per cluster, then the end
   std::vector<vec3> kept_moment_;             ///< per patch: sum A kept phi of its functions

@@ -4,43 +4,61 @@
 #include "core/transfer/texels.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace soffit::transfer {
+namespace {
 
-void GatherLists::append(std::span<std::uint32_t> slots, const SlotClusters& clusters) {
+/// Appends the entries of one slot: as few of kRays as the greedy choice takes, which is exact
+/// because the smallest is 1.
+void appendSlot(std::uint32_t place, std::size_t rays, std::vector<GatherLists::Entry>& single,
+                std::vector<GatherLists::Entry>& many) {
+  for (std::size_t code = GatherLists::kRays.size(); code-- > 0;) {
+    const auto count = static_cast<std::size_t>(GatherLists::kRays[code]);
+    for (; rays >= count; rays -= count) {
+      (code == 0 ? single : many)
+          .push_back(static_cast<GatherLists::Entry>(place << 4U | static_cast<std::uint32_t>(code)));
+    }
+  }
+}
+
+}  // namespace
+
+void GatherLists::append(std::span<std::uint32_t> slots) {
   std::sort(slots.begin(), slots.end());
   List list;
-  list.first_block = static_cast<std::uint32_t>(blocks.size());
+  list.first_run = static_cast<std::uint32_t>(runs.size());
+  list.first_entry = static_cast<std::uint32_t>(entries.size());
   list.scale = slots.empty() ? 0.0F : 1.0F / static_cast<float>(slots.size());
-  std::uint32_t cluster = kNoTexel;
-  std::uint32_t base = 0;
+  std::vector<Entry> many;
   for (std::size_t i = 0; i < slots.size() && slots[i] != kNoTexel;) {
-    std::size_t j = i;
-    while (j < slots.size() && slots[j] == slots[i] && j - i < 255) ++j;
-    const std::uint32_t slot = slots[i];
-    if (clusters.cluster_of[slot] != cluster) {
-      cluster = clusters.cluster_of[slot];
-      base = clusters.begin[cluster];
-      blocks.push_back({cluster, base, static_cast<std::uint32_t>(entries.size()), 0});
+    const std::uint32_t page = slots[i] / kPage;
+    assert(page <= 0xffffU);
+    const std::size_t before = entries.size();
+    many.clear();
+    while (i < slots.size() && slots[i] != kNoTexel && slots[i] / kPage == page) {
+      std::size_t j = i;
+      while (j < slots.size() && slots[j] == slots[i]) ++j;
+      appendSlot(slots[i] % kPage, j - i, entries, many);
+      i = j;
     }
-    entries.push_back({static_cast<std::uint8_t>(slot - base), static_cast<std::uint8_t>(j - i)});
-    ++blocks.back().count;
-    i = j;
+    runs.push_back({static_cast<std::uint16_t>(page),
+                    static_cast<std::uint16_t>(entries.size() - before),
+                    static_cast<std::uint16_t>(many.size())});
+    entries.insert(entries.end(), many.begin(), many.end());
   }
-  list.block_count = static_cast<std::uint32_t>(blocks.size()) - list.first_block;
+  list.run_count = static_cast<std::uint32_t>(runs.size()) - list.first_run;
   lists.push_back(list);
 }
 
 void GatherLists::append(const GatherLists& other) {
   const auto entry_shift = static_cast<std::uint32_t>(entries.size());
-  const auto block_shift = static_cast<std::uint32_t>(blocks.size());
+  const auto run_shift = static_cast<std::uint32_t>(runs.size());
   entries.insert(entries.end(), other.entries.begin(), other.entries.end());
-  for (Block b : other.blocks) {
-    b.first += entry_shift;
-    blocks.push_back(b);
-  }
+  runs.insert(runs.end(), other.runs.begin(), other.runs.end());
   for (List l : other.lists) {
-    l.first_block += block_shift;
+    l.first_run += run_shift;
+    l.first_entry += entry_shift;
     lists.push_back(l);
   }
 }

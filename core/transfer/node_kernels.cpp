@@ -10,6 +10,7 @@
 #include "core/transfer/rgb_lanes-inl.h"
 
 #include <algorithm>
+#include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
 namespace soffit::transfer::HWY_NAMESPACE {
@@ -68,19 +69,37 @@ void MultiplyConstants(const ConstantMatrix& matrix, const float* x, float* y, s
   }
 }
 
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE void addEntry(const NodeLists::Entry& entry, const float* from, Rgb& s0, Rgb& s1, Rgb& s2) {
+  s0 = mulAddRgb(entry.count, loadRgb(from), s0);
+  s1 = mulAddRgb(entry.phi1, loadRgb(from + 4), s1);
+  s2 = mulAddRgb(entry.phi2, loadRgb(from + 8), s2);
+}
+#else
+HWY_INLINE void addEntry(const NodeLists::Entry& entry, const float* from, Rgb& s0, Rgb& s1, Rgb& s2) {
+  // All four bytes at once; the gap, which has no sign, is not used.
+  const hn::Rebind<std::int8_t, Rgb4> bytes;
+  const hn::Rebind<std::int32_t, Rgb4> words;
+  const auto packed = hn::LoadU(bytes, reinterpret_cast<const std::int8_t*>(&entry));
+  const Rgb v = hn::ConvertTo(Rgb4(), hn::PromoteTo(words, packed));
+  s0 = hn::MulAdd(hn::Broadcast<1>(v), loadRgb(from), s0);
+  s1 = hn::MulAdd(hn::Broadcast<2>(v), loadRgb(from + 4), s1);
+  s2 = hn::MulAdd(hn::Broadcast<3>(v), loadRgb(from + 8), s2);
+}
+#endif
+
 void GatherNodes(const NodeLists& lists, std::size_t first, const float* b, float* y,
                  std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
     const NodeLists::List& list = lists.lists[first + k];
-    auto s0 = zeroRgb(), s1 = zeroRgb(), s2 = zeroRgb();
+    Rgb s0 = zeroRgb(), s1 = zeroRgb(), s2 = zeroRgb();
+    const float* from = b;
     for (std::uint32_t e = list.first; e < list.first + list.count; ++e) {
       const NodeLists::Entry& entry = lists.entries[e];
-      const float* from = b + 12 * static_cast<std::size_t>(entry.patch);
-      s0 = mulAddRgb(static_cast<float>(entry.count), loadRgb(from), s0);
-      s1 = mulAddRgb(static_cast<float>(entry.phi1), loadRgb(from + 4), s1);
-      s2 = mulAddRgb(static_cast<float>(entry.phi2), loadRgb(from + 8), s2);
+      from += 12 * static_cast<std::size_t>(entry.gap);
+      addEntry(entry, from, s0, s1, s2);
     }
-    const auto sum = mulAddRgb(NodeLists::kStep, addRgb(s1, s2), s0);
+    const Rgb sum = mulAddRgb(NodeLists::kStep, addRgb(s1, s2), s0);
     storeRgb(mulAddRgb(list.scale, sum, zeroRgb()), y + 4 * k);
   }
 }
@@ -158,7 +177,8 @@ void multiplyConstants(const ConstantMatrix& matrix, std::span<const vec4> x, st
 
 void gatherNodes(const NodeLists& lists, std::size_t first, std::span<const PatchLight> b,
                  std::span<vec4> y) {
-  if (y.empty()) return;
+  static_assert(sizeof(NodeLists::Entry) == 4 && offsetof(NodeLists::Entry, count) == 1);
+  if (y.empty() || b.empty()) return;
   HWY_DYNAMIC_DISPATCH(GatherNodes)(lists, first, &b[0].c[0].x, &y[0].x, y.size());
 }
 

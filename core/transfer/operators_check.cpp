@@ -132,48 +132,44 @@ bool nodesAreSane(const Nodes& nodes, const light::Receivers& receivers) {
   return patchesAreSane(nodes, receivers) && matrixIsSane(nodes.matrix, nodes.patches.size());
 }
 
-bool gatherListsAreSane(const GatherLists& lists, const light::Receivers& receivers) {
-  // Blocks and lists follow each other without gaps, as append() makes them.
-  std::uint64_t next = 0;
-  for (const GatherLists::Block& b : lists.blocks) {
-    if (b.cluster >= receivers.clusters.size() || b.first != next || b.count == 0) return false;
-    if (!within(b.first, b.count, lists.entries.size())) return false;
-    const light::Receivers::Cluster& c = receivers.clusters[b.cluster];
-    if (b.base != c.begin) return false;
-    std::uint32_t highest = 0;
-    for (std::uint32_t e = b.first; e < b.first + b.count; ++e) {
-      highest = std::max<std::uint32_t>(highest, lists.entries[e].local);
-    }
-    if (highest >= c.end - c.begin) return false;
-    next += b.count;
-  }
-  if (next != lists.entries.size()) return false;
-  next = 0;
+bool gatherListsAreSane(const GatherLists& lists, std::size_t slots) {
+  // Runs and entries follow each other without gaps, as append() makes them.
+  std::uint64_t next_run = 0;
+  std::uint64_t next_entry = 0;
   for (const GatherLists::List& list : lists.lists) {
-    if (list.first_block != next || !within(next, list.block_count, lists.blocks.size()))
+    if (list.first_run != next_run || !within(next_run, list.run_count, lists.runs.size()))
       return false;
-    if (!sane({&list.scale, 1})) return false;
-    next += list.block_count;
+    if (list.first_entry != next_entry || !sane({&list.scale, 1})) return false;
+    next_run += list.run_count;
+    for (std::uint64_t r = list.first_run; r < next_run; ++r) {
+      const GatherLists::Run& run = lists.runs[r];
+      const std::uint64_t count = std::uint64_t{run.single} + run.many;
+      if (!within(next_entry, count, lists.entries.size())) return false;
+      std::uint32_t highest = 0;
+      for (std::uint64_t e = next_entry; e < next_entry + count; ++e) {
+        highest = std::max<std::uint32_t>(highest, lists.entries[e]);
+        // A single ray is read without its code.
+        if (e < next_entry + run.single && (lists.entries[e] & 15U) != 0) return false;
+      }
+      if (run.page * GatherLists::kPage + (highest >> 4U) >= slots) return false;
+      next_entry += count;
+    }
   }
-  return next == lists.blocks.size();
+  return next_run == lists.runs.size() && next_entry == lists.entries.size();
 }
 
 bool nodeListsAreSane(const NodeLists& lists, const Operators& operators) {
-  const std::size_t patches = lists.first_function.size();
-  if (operators.coarse && patches == 0) return lists.lists.empty() && lists.entries.empty();
-  if (patches != operators.nodes.patches.size() || lists.function_count.size() != patches)
-    return false;
-  for (std::size_t p = 0; p < patches; ++p) {
-    if (!within(lists.first_function[p], lists.function_count[p], operators.nodes.functions))
-      return false;
-    if (lists.function_count[p] < 1 || lists.function_count[p] > 3) return false;
-  }
+  const std::size_t patches = operators.nodes.patches.size();
+  if (operators.coarse && lists.lists.empty()) return lists.entries.empty();
   if (lists.lists.size() != operators.lists.lists.size()) return false;
-  for (const NodeLists::Entry& entry : lists.entries) {
-    if (entry.patch >= patches) return false;
-  }
   return std::all_of(lists.lists.begin(), lists.lists.end(), [&](const NodeLists::List& list) {
-    return within(list.first, list.count, lists.entries.size()) && sane({&list.scale, 1});
+    if (!within(list.first, list.count, lists.entries.size()) || !sane({&list.scale, 1}))
+      return false;
+    std::uint64_t patch = 0;
+    for (std::uint32_t e = list.first; e < list.first + list.count; ++e) {
+      patch += lists.entries[e].gap;
+    }
+    return list.count == 0 || patch < patches;
   });
 }
 
@@ -206,7 +202,7 @@ std::string inconsistency(const Operators& operators) {
     return "texel areas";
   }
   if (!nodesAreSane(operators.nodes, operators.texels.receivers)) return "nodes";
-  if (!gatherListsAreSane(operators.lists, operators.texels.receivers)) return "gather lists";
+  if (!gatherListsAreSane(operators.lists, slots)) return "gather lists";
   if (!nodeListsAreSane(operators.node_lists, operators)) return "node lists";
   if (!weightsAreSane(operators)) return "weights";
   return {};

@@ -3,6 +3,7 @@
 #include "core/transfer/kernels.h"
 
 #include "core/math/rng.h"
+#include "tests/core/transfer/every_target.h"
 
 #include <gtest/gtest.h>
 
@@ -54,16 +55,6 @@ TEST(AddScaled, WorksForAnyLength) {
       const double expected =
           static_cast<double>(before[i]) + (i < n ? 0.3F * static_cast<double>(x[i]) : 0.0);
       EXPECT_NEAR(static_cast<double>(y[i]), expected, 2e-7) << n << ' ' << i;
-    }
-  }
-}
-
-TEST(TintedLightPack, KeepsTheLightToAMillionth) {
-  for (const float lux : {0.0F, 1e-6F, 1.0F, 333.3F, 1e5F}) {
-    for (std::uint32_t place = 0; place < Palette::kMost; ++place) {
-      const float packed = TintedLight::pack(lux, place);
-      EXPECT_EQ(std::bit_cast<std::uint32_t>(packed) & 15U, place);
-      EXPECT_NEAR(packed, lux, 2e-6F * lux + 1e-40F);
     }
   }
 }

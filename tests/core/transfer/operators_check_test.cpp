@@ -53,9 +53,18 @@ TEST(Inconsistency, NamesThePart) {
   EXPECT_EQ(after([](Operators& o) { o.nodes.matrix.first.pop_back(); }), "nodes");
   EXPECT_EQ(after([](Operators& o) { o.nodes.matrix.blocks[3].sender = 5000; }), "nodes");
   EXPECT_EQ(after([&](Operators& o) { o.nodes.matrix.blocks[3].value[8] = nan; }), "nodes");
-  EXPECT_EQ(after([](Operators& o) { o.lists.blocks[0].base += 16; }), "gather lists");
-  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().block_count += 1; }), "gather lists");
-  EXPECT_EQ(after([](Operators& o) { o.node_lists.entries[0].patch = 60000; }), "node lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.runs[0].page = 9; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.runs[0].many += 1; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.entries[0] |= 1; }), "gather lists");  // has a code
+  EXPECT_EQ(after([](Operators& o) { o.lists.entries[0] = 0xfff0; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().run_count += 1; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().first_entry += 1; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) {
+              const NodeLists::List& list = o.node_lists.lists[0];
+              for (std::uint32_t k = 0; k < list.count; ++k) o.node_lists.entries[k].gap = 255;
+            }),
+            "node lists");
+  EXPECT_EQ(after([](Operators& o) { o.node_lists.lists[0].first = 1U << 31U; }), "node lists");
   EXPECT_EQ(after([](Operators& o) { o.node_lists.lists.pop_back(); }), "node lists");
   EXPECT_EQ(after([](Operators& o) { o.clusters.back().first_weight += 1; }), "weights");
   EXPECT_EQ(after([&](Operators& o) { o.weights[0] = std::numeric_limits<float>::infinity(); }),
@@ -77,7 +86,7 @@ float use(const Operators& o, std::size_t triangles) {
   const SlotClusters of = slotClusters(o.texels.receivers);
   const std::vector<vec4> x(slots, vec4(1.0F));
   const std::vector<PatchLight> b(o.nodes.patches.size());
-  const std::vector<std::uint8_t> lit(o.texels.receivers.clusters.size(), 1);
+  const std::vector<std::uint8_t> lit(slots / GatherLists::kPage + 1, 1);
   std::vector<vec4> y(o.lists.lists.size());
   gather(o.lists, 0, x, lit, y);
   if (!o.coarse) gatherNodes(o.node_lists, 0, b, y);
