@@ -57,15 +57,17 @@ void Gather(const GatherLists& lists, std::size_t first, const float* x, const s
   }
 }
 
-void Interpolate(const float* weights, const float* y, std::size_t rank, std::size_t slots, float* out_r,
+void Interpolate(const Half* weights, const float* y, std::size_t rank, std::size_t slots, float* out_r,
                  float* out_g, float* out_b) {
+  static_assert(sizeof(Half) == sizeof(hwy::float16_t));
   const std::size_t lanes = hn::Lanes(d);
+  const hn::Rebind<hwy::float16_t, D> half;
   for (std::size_t s = 0; s < slots; s += lanes) {
     auto r = hn::LoadU(d, out_r + s);
     auto g = hn::LoadU(d, out_g + s);
     auto b = hn::LoadU(d, out_b + s);
     for (std::size_t k = 0; k < rank; ++k) {
-      const auto w = hn::LoadU(d, weights + k * slots + s);
+      const auto w = hn::PromoteTo(d, hn::LoadU(half, reinterpret_cast<const hwy::float16_t*>(weights + k * slots + s)));
       r = hn::MulAdd(w, hn::Set(d, y[4 * k]), r);
       g = hn::MulAdd(w, hn::Set(d, y[4 * k + 1]), g);
       b = hn::MulAdd(w, hn::Set(d, y[4 * k + 2]), b);
@@ -102,7 +104,7 @@ void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x
   HWY_DYNAMIC_DISPATCH(Gather)(lists, first, from, lit.empty() ? nullptr : lit.data(), &y[0].x, y.size());
 }
 
-void interpolate(std::span<const float> weights, std::span<const vec4> y, std::size_t slots, float* out_r,
+void interpolate(std::span<const Half> weights, std::span<const vec4> y, std::size_t slots, float* out_r,
                  float* out_g, float* out_b) {
   if (y.empty()) return;
   HWY_DYNAMIC_DISPATCH(Interpolate)(weights.data(), &y[0].x, y.size(), slots, out_r, out_g, out_b);

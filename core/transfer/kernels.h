@@ -3,6 +3,7 @@
 
 #include "core/math/vec.h"
 #include "core/transfer/gather_lists.h"
+#include "core/transfer/half.h"
 
 #include <cstdint>
 #include <span>
@@ -16,7 +17,7 @@ void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x
             std::span<const std::uint8_t> lit, std::span<vec4> y);
 
 /// out_c[s] += sum_k weights[k*slots + s] y[k].c for c = x, y, z; slots a multiple of 16.
-void interpolate(std::span<const float> weights, std::span<const vec4> y, std::size_t slots, float* out_r,
+void interpolate(std::span<const Half> weights, std::span<const vec4> y, std::size_t slots, float* out_r,
                  float* out_g, float* out_b);
 
 /// y[t] += scale * x[t] for t < n.

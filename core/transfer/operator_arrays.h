@@ -122,6 +122,7 @@ static_assert(is_packed<GatherLists::Run, 3 * 2>);
 static_assert(is_packed<GatherLists::List, 4 * 4>);
 static_assert(is_packed<NodeLists::Entry, 4 * 1>);
 static_assert(is_packed<NodeLists::List, 3 * 4>);
+static_assert(is_packed<Half, 2>);
 static_assert(is_packed<ClusterWeights, 2 * 4 + 8>);
 
 }  // namespace soffit::transfer

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -175,7 +176,9 @@ bool nodeListsAreSane(const NodeLists& lists, const Operators& operators) {
 
 bool weightsAreSane(const Operators& operators) {
   const auto& clusters = operators.texels.receivers.clusters;
-  if (!sane(operators.weights) || !sane(operators.list_area)) return false;
+  if (!sane(operators.list_area)) return false;
+  if (!std::all_of(operators.weights.begin(), operators.weights.end(), std::mem_fn(&Half::finite)))
+    return false;
   if (operators.list_area.size() != operators.lists.lists.size()) return false;
   if (operators.coarse && operators.clusters.empty()) return true;
   if (operators.clusters.size() != clusters.size()) return false;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Four floats (RGB + padding) as one vector, on every Highway target: the scalar one has no vectors
-// of four. Included once per target, like Highway's own headers of this kind.
+// of four. Included once per target, like Highway's own headers of this kind, and after them.
 #if defined(SOFFIT_CORE_TRANSFER_RGB_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SOFFIT_CORE_TRANSFER_RGB_LANES_INL_H
 #undef SOFFIT_CORE_TRANSFER_RGB_LANES_INL_H
 #else
 #define SOFFIT_CORE_TRANSFER_RGB_LANES_INL_H
 #endif
-
-#include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
 namespace soffit::transfer::HWY_NAMESPACE {
