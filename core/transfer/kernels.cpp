@@ -16,42 +16,46 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::CappedTag<float, 16>;
 constexpr D d;
 
-/// The RGB at a place of a page: an entry's offset in bytes.
-HWY_INLINE Rgb rgbAt(const char* page, std::uint32_t offset) {
-  return loadRgb(reinterpret_cast<const float*>(page + offset));
-}
+/// The four places of a group: entries are offsets in bytes.
+struct Group {
+  const char* page;
+  const GatherLists::Entry* entry;
+
+  HWY_INLINE Rgb single(std::size_t k) const {
+    return loadRgb(reinterpret_cast<const float*>(page + entry[k]));
+  }
+  HWY_INLINE Rgb addTo(Rgb sum, std::size_t k) const {
+    const auto* from = reinterpret_cast<const float*>(page + (entry[k] & ~15U));
+    return mulAddRgb(GatherLists::kRays[entry[k] & 15U], loadRgb(from), sum);
+  }
+};
 
 void Gather(const GatherLists& lists, std::size_t first, const float* x, const std::uint8_t* lit,
             float* y, std::size_t count) {
+  const auto groupAt = [&](std::size_t g) {
+    const std::size_t floats = 4UL * GatherLists::kPage * lists.pages[g];
+    return Group{reinterpret_cast<const char*>(x + floats), &lists.entries[4 * g]};
+  };
   for (std::size_t k = 0; k < count; ++k) {
     const GatherLists::List& list = lists.lists[first + k];
-    const GatherLists::Entry* entry = lists.entries.data() + list.first_entry;
+    const std::size_t mixed = std::size_t{list.first_group} + list.single;
     // Four sums: an addition takes four cycles.
     Rgb s0 = zeroRgb(), s1 = zeroRgb(), s2 = zeroRgb(), s3 = zeroRgb();
-    for (std::uint32_t r = list.first_run; r < list.first_run + list.run_count; ++r) {
-      const GatherLists::Run run = lists.runs[r];
-      const GatherLists::Entry* const many = entry + run.single;
-      const GatherLists::Entry* const end = many + run.many;
-      if (lit != nullptr && lit[run.page] == 0) {
-        entry = end;
-        continue;
-      }
-      const char* page = reinterpret_cast<const char*>(x + 4UL * GatherLists::kPage * run.page);
-      for (; entry + 4 <= many; entry += 4) {
-        s0 = addRgb(s0, rgbAt(page, entry[0]));
-        s1 = addRgb(s1, rgbAt(page, entry[1]));
-        s2 = addRgb(s2, rgbAt(page, entry[2]));
-        s3 = addRgb(s3, rgbAt(page, entry[3]));
-      }
-      for (; entry < many; ++entry) s0 = addRgb(s0, rgbAt(page, *entry));
-      for (; entry + 2 <= end; entry += 2) {
-        s1 = mulAddRgb(GatherLists::kRays[entry[0] & 15U], rgbAt(page, entry[0] & ~15U), s1);
-        s2 = mulAddRgb(GatherLists::kRays[entry[1] & 15U], rgbAt(page, entry[1] & ~15U), s2);
-      }
-      if (entry < end) {
-        s3 = mulAddRgb(GatherLists::kRays[*entry & 15U], rgbAt(page, *entry & ~15U), s3);
-        ++entry;
-      }
+    for (std::size_t g = list.first_group; g < mixed; ++g) {
+      if (lit != nullptr && lit[lists.pages[g]] == 0) continue;
+      const Group group = groupAt(g);
+      s0 = addRgb(s0, group.single(0));
+      s1 = addRgb(s1, group.single(1));
+      s2 = addRgb(s2, group.single(2));
+      s3 = addRgb(s3, group.single(3));
+    }
+    for (std::size_t g = mixed; g < mixed + list.mixed; ++g) {
+      if (lit != nullptr && lit[lists.pages[g]] == 0) continue;
+      const Group group = groupAt(g);
+      s0 = group.addTo(s0, 0);
+      s1 = group.addTo(s1, 1);
+      s2 = group.addTo(s2, 2);
+      s3 = group.addTo(s3, 3);
     }
     storeRgb(mulAddRgb(list.scale, addRgb(addRgb(s0, s1), addRgb(s2, s3)), zeroRgb()), y + 4 * k);
   }
@@ -98,7 +102,7 @@ HWY_EXPORT(AddScaled);
 
 void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x,
             std::span<const std::uint8_t> lit, std::span<vec4> y) {
-  static_assert(sizeof(vec4) == 16 && GatherLists::kPage * sizeof(vec4) == 1U << 16U);
+  static_assert(sizeof(vec4) == 16 && GatherLists::kPage * sizeof(vec4) == 1U << 16U && GatherLists::kGroup == 4);
   if (y.empty()) return;
   const float* from = x.empty() ? nullptr : &x[0].x;
   HWY_DYNAMIC_DISPATCH(Gather)(lists, first, from, lit.empty() ? nullptr : lit.data(), &y[0].x, y.size());

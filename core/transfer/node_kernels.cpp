@@ -92,14 +92,24 @@ void GatherNodes(const NodeLists& lists, std::size_t first, const float* b, floa
                  std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
     const NodeLists::List& list = lists.lists[first + k];
+    // Two sets of sums: within one each product would wait for the last.
     Rgb s0 = zeroRgb(), s1 = zeroRgb(), s2 = zeroRgb();
+    Rgb t0 = zeroRgb(), t1 = zeroRgb(), t2 = zeroRgb();
     const float* from = b;
-    for (std::uint32_t e = list.first; e < list.first + list.count; ++e) {
-      const NodeLists::Entry& entry = lists.entries[e];
-      from += 12 * static_cast<std::size_t>(entry.gap);
-      addEntry(entry, from, s0, s1, s2);
+    const NodeLists::Entry* entry = lists.entries.data() + list.first;
+    const NodeLists::Entry* const end = entry + list.count;
+    for (; entry + 2 <= end; entry += 2) {
+      const float* const other = from + 12 * static_cast<std::size_t>(entry[0].gap);
+      from = other + 12 * static_cast<std::size_t>(entry[1].gap);
+      addEntry(entry[0], other, s0, s1, s2);
+      addEntry(entry[1], from, t0, t1, t2);
     }
-    const Rgb sum = mulAddRgb(NodeLists::kStep, addRgb(s1, s2), s0);
+    if (entry < end) {
+      addEntry(*entry, from + 12 * static_cast<std::size_t>(entry->gap), s0, s1, s2);
+    }
+    s0 = addRgb(s0, t0);
+    s1 = addRgb(addRgb(s1, t1), addRgb(s2, t2));
+    const Rgb sum = mulAddRgb(NodeLists::kStep, s1, s0);
     storeRgb(mulAddRgb(list.scale, sum, zeroRgb()), y + 4 * k);
   }
 }

@@ -58,7 +58,7 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   auto& [chart_list, chart_triangles, chart_of] = charts;
   auto& [patches, patch_of, phi, functions, stride, matrix] = nodes;
   auto& [matrix_first, matrix_blocks] = matrix;
-  auto& [list_entries, list_runs, list_list] = lists;
+  auto& [list_entries, list_pages, list_list] = lists;
   auto& [node_entries, node_list] = node_lists;
   visit("scalars", records.scalars);  // cell, functions, stride, coarse
   static_cast<void>(cell), static_cast<void>(functions), static_cast<void>(stride),
@@ -96,7 +96,7 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   visit("nodes.matrix_first", matrix_first);
   visit("nodes.matrix_blocks", matrix_blocks);
   visit("lists.entries", list_entries);
-  visit("lists.runs", list_runs);
+  visit("lists.pages", list_pages);
   visit("lists.lists", list_list);
   visit("node_lists.entries", node_entries);
   visit("node_lists.lists", node_list);
@@ -118,7 +118,6 @@ static_assert(is_packed<Texels::Grid, 6 * 4 + 8>);
 static_assert(is_packed<Nodes::Patch, 4 * 4 + 8>);
 static_assert(is_packed<NodeMatrix::Block, 4 + 9 * 4>);
 static_assert(is_packed<GatherLists::Entry, 2>);
-static_assert(is_packed<GatherLists::Run, 3 * 2>);
 static_assert(is_packed<GatherLists::List, 4 * 4>);
 static_assert(is_packed<NodeLists::Entry, 4 * 1>);
 static_assert(is_packed<NodeLists::List, 3 * 4>);

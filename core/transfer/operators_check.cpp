@@ -134,29 +134,25 @@ bool nodesAreSane(const Nodes& nodes, const light::Receivers& receivers) {
 }
 
 bool gatherListsAreSane(const GatherLists& lists, std::size_t slots) {
-  // Runs and entries follow each other without gaps, as append() makes them.
-  std::uint64_t next_run = 0;
-  std::uint64_t next_entry = 0;
-  for (const GatherLists::List& list : lists.lists) {
-    if (list.first_run != next_run || !within(next_run, list.run_count, lists.runs.size()))
+  // Groups follow each other without gaps, as append() makes them.
+  constexpr std::size_t kGroup = GatherLists::kGroup;
+  if (lists.entries.size() != kGroup * lists.pages.size()) return false;
+  for (std::size_t k = 0; k < lists.entries.size(); ++k) {
+    if (lists.pages[k / kGroup] * GatherLists::kPage + (lists.entries[k] >> 4U) >= slots)
       return false;
-    if (list.first_entry != next_entry || !sane({&list.scale, 1})) return false;
-    next_run += list.run_count;
-    for (std::uint64_t r = list.first_run; r < next_run; ++r) {
-      const GatherLists::Run& run = lists.runs[r];
-      const std::uint64_t count = std::uint64_t{run.single} + run.many;
-      if (!within(next_entry, count, lists.entries.size())) return false;
-      std::uint32_t highest = 0;
-      for (std::uint64_t e = next_entry; e < next_entry + count; ++e) {
-        highest = std::max<std::uint32_t>(highest, lists.entries[e]);
-        // A single ray is read without its code.
-        if (e < next_entry + run.single && (lists.entries[e] & 15U) != 0) return false;
-      }
-      if (run.page * GatherLists::kPage + (highest >> 4U) >= slots) return false;
-      next_entry += count;
-    }
   }
-  return next_run == lists.runs.size() && next_entry == lists.entries.size();
+  std::uint64_t next = 0;
+  for (const GatherLists::List& list : lists.lists) {
+    const std::uint64_t count = std::uint64_t{list.single} + list.mixed;
+    if (list.first_group != next || !within(next, count, lists.pages.size())) return false;
+    if (!sane({&list.scale, 1})) return false;
+    // Single rays are read without their codes.
+    const auto begin = lists.entries.begin() + static_cast<std::ptrdiff_t>(kGroup * next);
+    const auto end = begin + static_cast<std::ptrdiff_t>(kGroup * list.single);
+    if (std::any_of(begin, end, [](GatherLists::Entry e) { return (e & 15U) != 0; })) return false;
+    next += count;
+  }
+  return next == lists.pages.size();
 }
 
 bool nodeListsAreSane(const NodeLists& lists, const Operators& operators) {

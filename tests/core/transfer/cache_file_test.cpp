@@ -70,7 +70,7 @@ void expectSame(const Operators& a, const Operators& b) {
   EXPECT_TRUE(same(a.nodes.matrix.blocks, b.nodes.matrix.blocks));
   EXPECT_EQ(a.nodes.functions, b.nodes.functions);
   EXPECT_EQ(a.nodes.stride, b.nodes.stride);
-  EXPECT_TRUE(same(a.lists.entries, b.lists.entries) && same(a.lists.runs, b.lists.runs));
+  EXPECT_TRUE(same(a.lists.entries, b.lists.entries) && same(a.lists.pages, b.lists.pages));
   EXPECT_TRUE(same(a.lists.lists, b.lists.lists) && same(a.node_lists.lists, b.node_lists.lists));
   EXPECT_TRUE(same(a.node_lists.entries, b.node_lists.entries));
   EXPECT_TRUE(same(a.clusters, b.clusters) && same(a.weights, b.weights) &&

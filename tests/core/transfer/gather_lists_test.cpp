@@ -139,8 +139,8 @@ GatherLists pagedLists(std::size_t lists, std::size_t rays, std::uint32_t pages,
   for (std::size_t k = 0; k < lists; ++k) {
     std::vector<std::uint32_t>& slots = given.emplace_back();
     while (slots.size() < rays) {
-      const auto slot = static_cast<std::uint32_t>(
-          rng.uniform() * 0.9999F * static_cast<float>(pages * GatherLists::kPage));
+      const auto slot = static_cast<std::uint32_t>(rng.uniform() * 0.9999F *
+                                                   static_cast<float>(pages * GatherLists::kPage));
       // From one ray to several times what an entry holds.
       const std::size_t times = std::min<std::size_t>(rays - slots.size(), 1 + (slot * slot) % 700);
       slots.insert(slots.end(), slot % 3 == 0 ? times : 1, slot);

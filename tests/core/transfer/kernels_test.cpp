@@ -47,7 +47,8 @@ TEST(Interpolate, AddsTheWeightedSums) {
               expected += static_cast<double>(static_cast<float>(weights[k * slots + s])) *
                           static_cast<double>(y[k][static_cast<int>(c)]);
             }
-            EXPECT_NEAR(static_cast<double>(out[c][s]), expected, 1e-5);  // round-off of 48 products
+            EXPECT_NEAR(static_cast<double>(out[c][s]), expected,
+                        1e-5);  // round-off of 48 products
           }
         }
       });

@@ -17,7 +17,9 @@ namespace {
 
 using testing::forEveryTarget;
 
-float signedRandom(Rng& rng) { return 2.0F * rng.uniform() - 1.0F; }
+float signedRandom(Rng& rng) {
+  return 2.0F * rng.uniform() - 1.0F;
+}
 
 std::vector<PatchLight> randomLight(std::size_t patches, std::uint64_t seed) {
   Rng rng(seed);
@@ -97,8 +99,8 @@ TEST(MultiplyConstants, IsTheProductWithTheFirstFunctions) {
       for (std::size_t i = 0; i < patches; ++i) {
         dvec3 expected(0.0);
         for (std::uint32_t k = m.first[i]; k < m.first[i + 1]; ++k) {
-          expected += static_cast<double>(m.blocks[k].value[0]) *
-                      dvec3(constants[m.blocks[k].sender]);
+          expected +=
+              static_cast<double>(m.blocks[k].value[0]) * dvec3(constants[m.blocks[k].sender]);
         }
         for (int c = 0; c < 3; ++c) {
           EXPECT_NEAR(static_cast<double>(y[i][c]), expected[c], 900 * 6e-8);
@@ -128,9 +130,8 @@ TEST(RestrictSent, IsTheMomentsOfWhatIsReflected) {
         }
       }
       const Nodes::Patch patch{.begin = begin, .end = all, .count = 3, .area = 2.5};
-      const PatchLight found =
-          restrictSent(nodes, patch, area, {rho[0], rho[1], rho[2]},
-                       {&e[0][begin], &e[1][begin], &e[2][begin]});
+      const PatchLight found = restrictSent(nodes, patch, area, {rho[0], rho[1], rho[2]},
+                                            {&e[0][begin], &e[1][begin], &e[2][begin]});
       for (std::size_t c = 0; c < 3; ++c) {
         std::array<double, 3> expected{};
         for (std::uint32_t s = begin; s < all; ++s) {

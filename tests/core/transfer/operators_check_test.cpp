@@ -53,12 +53,17 @@ TEST(Inconsistency, NamesThePart) {
   EXPECT_EQ(after([](Operators& o) { o.nodes.matrix.first.pop_back(); }), "nodes");
   EXPECT_EQ(after([](Operators& o) { o.nodes.matrix.blocks[3].sender = 5000; }), "nodes");
   EXPECT_EQ(after([&](Operators& o) { o.nodes.matrix.blocks[3].value[8] = nan; }), "nodes");
-  EXPECT_EQ(after([](Operators& o) { o.lists.runs[0].page = 9; }), "gather lists");
-  EXPECT_EQ(after([](Operators& o) { o.lists.runs[0].many += 1; }), "gather lists");
-  EXPECT_EQ(after([](Operators& o) { o.lists.entries[0] |= 1; }), "gather lists");  // has a code
-  EXPECT_EQ(after([](Operators& o) { o.lists.entries[0] = 0xfff0; }), "gather lists");
-  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().run_count += 1; }), "gather lists");
-  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().first_entry += 1; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.pages[0] = 9; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.pages.pop_back(); }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.entries.back() = 0xfff0; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().mixed += 1; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().first_group += 1; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) {  // entries with codes, taken for single rays
+              GatherLists::List& list = o.lists.lists[0];
+              list.single += list.mixed;
+              list.mixed = 0;
+            }),
+            "gather lists");
   EXPECT_EQ(after([](Operators& o) {
               const NodeLists::List& list = o.node_lists.lists[0];
               for (std::uint32_t k = 0; k < list.count; ++k) o.node_lists.entries[k].gap = 255;
