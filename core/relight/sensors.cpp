@@ -77,7 +77,6 @@ Sensors::Sensors(const Solver& solver, std::span<const scene::Sensor> sensors, Q
   const transfer::Operators& op = solver.operators();
   if (op.texels.slotCount() == 0) return;
   if (orientations_ > 1) rays = std::max(8, rays * 2 / static_cast<int>(std::sqrt(orientations_)) / 4 * 4);
-  const transfer::SlotClusters clusters = transfer::slotClusters(op.texels.receivers);
   // In chunks, put together in order: the lists are the same for any number of threads.
   constexpr std::size_t kChunk = 32;
   std::vector<transfer::GatherLists> parts((positions.size() + kChunk - 1) / kChunk);
@@ -88,7 +87,7 @@ Sensors::Sensors(const Solver& solver, std::span<const scene::Sensor> sensors, Q
       for (std::size_t i = part * kChunk; i < std::min(positions.size(), (part + 1) * kChunk); ++i) {
         transfer::traceHemisphere(solver.scene(), op.texels, positions[i], normals[i], rays, seed * 86028121U + i, 0.0F,
                                   scratch, hits);
-        parts[part].append(hits.slots, clusters);
+        parts[part].append(hits.slots);
       }
     }
   });

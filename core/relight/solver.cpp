@@ -33,65 +33,23 @@ Solver::Solver(std::shared_ptr<const transfer::StaticScene> scene, std::shared_p
     if (operators_->fill_from[s] != s) filled_.push_back(s);
   }
   const transfer::Nodes& nodes = operators_->nodes;
-  kept_moment_.assign(nodes.stride, 0.0F);
-  for (const transfer::Nodes::Patch& p : nodes.patches) {
+  for (std::uint32_t i = 0; i < nodes.patches.size(); ++i) {
+    const transfer::Nodes::Patch& p = nodes.patches[i];
+    if (p.begin == operators_->texels.receivers.clusters[first_patch_.size()].begin) first_patch_.push_back(i);
+    vec3& moment = kept_moment_.emplace_back(0.0F);
     for (std::uint32_t s = p.begin; s < p.end; ++s) {
-      const float a = operators_->area[s] * operators_->kept[s];
-      kept_moment_[p.first] += a;
-      if (p.count > 1) kept_moment_[p.first + 1] += a * nodes.phi[s].x;
-      if (p.count > 2) kept_moment_[p.first + 2] += a * nodes.phi[s].y;
+      moment += operators_->area[s] * operators_->kept[s] * vec3(1.0F, nodes.phi[s].x, nodes.phi[s].y);
     }
   }
+  first_patch_.push_back(static_cast<std::uint32_t>(nodes.patches.size()));
 }
 
 void Solver::setMaterials(std::span<const scene::Material> materials) {
   reflectances_ = makeReflectances(operators_->texels, materials);
-  makePalettes();
-  factor();
-}
-
-void Solver::factor() {
-  nodes_.reset();
-  channels_ = 0;
-  if (operators_->nodes.functions == 0) return;
-  std::vector<std::span<const float>> distinct;
-  for (std::size_t c = 0; c < 3; ++c) {
-    node_of_[c] = distinct.size();
-    for (std::size_t k = 0; k < distinct.size(); ++k) {
-      if (std::ranges::equal(distinct[k], reflectances_.rho[c])) node_of_[c] = k;
-    }
-    if (node_of_[c] == distinct.size()) distinct.emplace_back(reflectances_.rho[c]);
-  }
-  channels_ = distinct.size();
-  nodes_.emplace(operators_->nodes, operators_->area, distinct);
-}
-
-void Solver::makePalettes() {
-  const auto& clusters = operators_->texels.receivers.clusters;
   const auto& rho = reflectances_.rho;
-  palettes_.assign(clusters.size(), {});
-  place_.assign(operators_->texels.slotCount(), 0);
-  parallelFor(clusters.size(), 32, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      transfer::Palette& palette = palettes_[i];
-      for (std::uint32_t s = clusters[i].begin; s < clusters[i].end; ++s) {
-        std::uint32_t k = 0;
-        while (k < palette.size && (palette.rho[0][k] != rho[0][s] || palette.rho[1][k] != rho[1][s] ||
-                                    palette.rho[2][k] != rho[2][s])) {
-          ++k;
-        }
-        if (k == transfer::Palette::kMost) {
-          palette.size = 0;
-          break;
-        }
-        if (k == palette.size) {
-          for (std::size_t c = 0; c < 3; ++c) palette.rho[c][k] = rho[c][s];
-          ++palette.size;
-        }
-        place_[s] = static_cast<std::uint8_t>(k);
-      }
-    }
-  });
+  const std::array<std::span<const float>, 3> channels = {rho[0], rho[1], rho[2]};
+  nodes_.reset();
+  if (operators_->nodes.functions > 0) nodes_.emplace(operators_->nodes, operators_->area, channels);
 }
 
 void Solver::direct(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies, Column& column,
@@ -117,7 +75,7 @@ void Solver::direct(const light::Emitter& emitter, std::span<const light::MaskBl
   if (times != nullptr) times->direct += lap.ms();
 }
 
-void Solver::conserve(const dvec3& sent, std::vector<vec4>& y) const {
+vec4 Solver::conservingScale(const dvec3& sent, std::span<const vec4> y) const {
   // The light that leaves the texels arrives somewhere: what the skeleton's rays and weights get
   // wrong about the sum is put right by one factor per channel.
   dvec3 arrived(0.0);
@@ -128,86 +86,100 @@ void Solver::conserve(const dvec3& sent, std::vector<vec4>& y) const {
   for (int c = 0; c < 3; ++c) {
     if (arrived[c] > 0.0) scale[c] = static_cast<float>(std::clamp(sent[c] / arrived[c], 0.9, 1.1));
   }
-  for (vec4& v : y) v *= scale;
+  return scale;
 }
 
-void Solver::firstBounce(const Column& column, std::span<const float> open, std::vector<vec4>& y1, Planes& e1) const {
+dvec3 Solver::sendDirect(const Column& column, std::span<const float> open, std::span<vec4> x,
+                         std::span<std::uint8_t> lit) const {
   const transfer::Operators& op = *operators_;
   const auto& clusters = op.texels.receivers.clusters;
-  std::vector<float> lux(op.texels.slotCount());
+  const auto& rho = reflectances_.rho;
   std::vector<dvec3> sent_by(clusters.size(), dvec3(0.0));
-  parallelFor(clusters.size(), 16, [&](std::size_t begin, std::size_t end) {
+  parallelFor(clusters.size(), 32, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (column.lit[i] == 0) continue;  // these taps are skipped
+      if (column.lit[i] == 0) continue;
+      vec3 sum(0.0F);
       for (std::uint32_t s = clusters[i].begin; s < clusters[i].end; ++s) {
-        const float e = directAt(column, open, s);
-        lux[s] = transfer::TintedLight::pack(e, place_[s]);
-        const float a = op.area[s] * op.kept[s] * e;
-        sent_by[i] += dvec3(a * reflectances_.rho[0][s], a * reflectances_.rho[1][s], a * reflectances_.rho[2][s]);
+        const vec3 b = directAt(column, open, s) * vec3(rho[0][s], rho[1][s], rho[2][s]);
+        x[s] = vec4(b, 0.0F);
+        sum += op.area[s] * op.kept[s] * b;
       }
+      sent_by[i] = dvec3(sum);
     }
-  });
-  const transfer::TintedLight light{
-      lux, {reflectances_.rho[0], reflectances_.rho[1], reflectances_.rho[2]}, palettes_, column.lit};
-  y1.resize(op.lists.lists.size());
-  parallelFor(y1.size(), 64, [&](std::size_t begin, std::size_t end) {
-    transfer::gatherTinted(op.lists, begin, light, std::span(y1).subspan(begin, end - begin));
   });
   dvec3 sent(0.0);
-  for (const dvec3& s : sent_by) sent += s;
-  conserve(sent, y1);
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    if (column.lit[i] == 0) continue;
+    sent += sent_by[i];
+    lit[clusters[i].begin / transfer::GatherLists::kPage] = 1;
+    lit[(clusters[i].end - 1) / transfer::GatherLists::kPage] = 1;
+  }
+  return sent;
+}
+
+void Solver::firstBounce(Column& column, std::span<const float> open, std::span<transfer::PatchLight> sent,
+                         Planes* e1) const {
+  const transfer::Operators& op = *operators_;
+  const auto& clusters = op.texels.receivers.clusters;
+  std::vector<vec4> x(op.texels.slotCount(), vec4(0.0F));
+  std::vector<std::uint8_t> lit(x.size() / transfer::GatherLists::kPage + 1);
+  const dvec3 all = sendDirect(column, open, x, lit);
+  std::vector<vec4>& y = column.skeleton;
+  y.resize(op.lists.lists.size());
+  parallelFor(y.size(), 64, [&](std::size_t begin, std::size_t end) {
+    transfer::gather(op.lists, begin, x, lit, std::span(y).subspan(begin, end - begin));
+  });
+  const vec4 scale = conservingScale(all, y);
   parallelFor(clusters.size(), 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const light::Receivers::Cluster& c = clusters[i];
-      const std::size_t slots = c.end - c.begin;
-      const transfer::ClusterWeights& cw = op.clusters[i];
-      for (auto& plane : e1) std::fill(plane.begin() + c.begin, plane.begin() + c.end, 0.0F);
-      transfer::interpolate(std::span(op.weights).subspan(cw.first_weight, cw.rank * slots),
-                            std::span(y1).subspan(cw.first_list, cw.rank), slots, &e1[0][c.begin], &e1[1][c.begin],
-                            &e1[2][c.begin]);
+      const std::span<vec4> own = std::span(y).subspan(op.clusters[i].first_list, op.clusters[i].rank);
+      for (vec4& v : own) v *= scale;
+      interpolateFirst(own, open, i, sent, e1);
     }
   });
 }
 
-void Solver::solveNodes(const Planes& radiosity, Planes& coefficients, Planes& sent) const {
+void Solver::interpolateFirst(std::span<const vec4> y, std::span<const float> open, std::size_t i,
+                              std::span<transfer::PatchLight> sent, Planes* e1) const {
   const transfer::Operators& op = *operators_;
-  transfer::NodeSolver::Vectors b(channels_, std::vector<float>(op.nodes.stride, 0.0F));
-  transfer::NodeSolver::Vectors e;
-  parallelFor(channels_, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      transfer::restrictToNodes(op.nodes, op.area, radiosity[colourOf(k)], b[k]);
-    }
-  });
-  nodes_->solve(b, e);
-  std::vector<float> more(op.nodes.stride, 0.0F);
-  for (std::size_t k = 0; k < channels_; ++k) {
-    nodes_->reflect(k, e[k], more);
-    for (std::size_t f = 0; f < more.size(); ++f) b[k][f] += more[f];
+  const light::Receivers::Cluster& c = op.texels.receivers.clusters[i];
+  const std::size_t slots = c.end - c.begin;
+  alignas(64) std::array<std::array<float, 256>, 3> e;
+  for (auto& plane : e) std::fill_n(plane.begin(), slots, 0.0F);
+  transfer::interpolate(std::span(op.weights).subspan(op.clusters[i].first_weight, y.size() * slots), y, slots,
+                        e[0].data(), e[1].data(), e[2].data());
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (e1 != nullptr) std::copy_n(e[k].begin(), slots, (*e1)[k].begin() + c.begin);
+    for (std::size_t s = 0; s < slots && !open.empty(); ++s) e[k][s] *= open[c.begin + s];
   }
-  for (std::size_t c = 0; c < 3; ++c) {
-    coefficients[c] = e[node_of_[c]];
-    sent[c] = b[node_of_[c]];
+  const auto& rho = reflectances_.rho;
+  for (std::uint32_t p = first_patch_[i]; p < first_patch_[i + 1]; ++p) {
+    const transfer::Nodes::Patch& patch = op.nodes.patches[p];
+    const std::size_t from = patch.begin - c.begin;
+    sent[p] = transfer::restrictSent(op.nodes, patch, op.area, {rho[0], rho[1], rho[2]},
+                                     {&e[0][from], &e[1][from], &e[2][from]});
   }
 }
 
-void Solver::gatherFromNodes(const Planes& sent, std::vector<vec4>& y) const {
+void Solver::addFromNodes(std::span<const transfer::PatchLight> sent, std::vector<vec4>& y) const {
   const transfer::Operators& op = *operators_;
-  // Two functions of padding: the kernel reads three per patch.
-  std::vector<vec4> b(op.nodes.stride + 2, vec4(0.0F));
   dvec3 total(0.0);
-  for (std::size_t f = 0; f < op.nodes.functions; ++f) {
-    b[f] = vec4(sent[0][f], sent[1][f], sent[2][f], 0.0F);
-    total += static_cast<double>(kept_moment_[f]) * dvec3(b[f].x, b[f].y, b[f].z);
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    for (int a = 0; a < 3; ++a) {
+      const vec4& b = sent[i].c[static_cast<std::size_t>(a)];
+      total += static_cast<double>(kept_moment_[i][a]) * dvec3(b.x, b.y, b.z);
+    }
   }
-  y.assign(op.lists.lists.size(), vec4(0.0F));
-  parallelFor(y.size(), 64, [&](std::size_t begin, std::size_t end) {
-    transfer::gatherNodes(op.node_lists, begin, b, std::span(y).subspan(begin, end - begin));
+  std::vector<vec4> more(y.size());
+  parallelFor(more.size(), 256, [&](std::size_t begin, std::size_t end) {
+    transfer::gatherNodes(op.node_lists, begin, sent, std::span(more).subspan(begin, end - begin));
   });
-  conserve(total, y);
+  const vec4 scale = conservingScale(total, more);
+  for (std::size_t k = 0; k < y.size(); ++k) y[k] += scale * more[k];
 }
 
 void Solver::radiosityOf(const Column& column, std::span<const float> open, const Planes* e1,
-                         const Planes& coefficients, std::vector<vec4>& source) const {
+                         std::span<const transfer::PatchLight> more, std::vector<vec4>& source) const {
   const transfer::Operators& op = *operators_;
   source.assign(op.texels.slotCount(), vec4(0.0F));
   parallelFor(op.nodes.patches.size(), 16, [&](std::size_t begin, std::size_t end) {
@@ -216,12 +188,10 @@ void Solver::radiosityOf(const Column& column, std::span<const float> open, cons
       for (std::uint32_t s = p.begin; s < p.end; ++s) {
         const std::uint32_t from = op.fill_from[s];
         const float shown = open.empty() ? 1.0F : open[s];
+        const vec4 value = more[i].c[0] + more[i].c[1] * op.nodes.phi[s].x + more[i].c[2] * op.nodes.phi[s].y;
         for (std::size_t c = 0; c < 3; ++c) {
-          const std::vector<float>& k = coefficients[c];
-          float e = k[p.first];
-          if (p.count > 1) e += k[p.first + 1] * op.nodes.phi[s].x;
-          if (p.count > 2) e += k[p.first + 2] * op.nodes.phi[s].y;
-          e = std::max(0.0F, e) + (e1 != nullptr ? std::max(0.0F, (*e1)[c][from]) : 0.0F);
+          const float first = e1 != nullptr ? std::max(0.0F, (*e1)[c][from]) : 0.0F;
+          const float e = std::max(0.0F, value[static_cast<int>(c)]) + first;
           source[s][static_cast<int>(c)] = reflectances_.rho[c][s] * (directAt(column, open, s) + shown * e);
         }
       }
@@ -230,15 +200,19 @@ void Solver::radiosityOf(const Column& column, std::span<const float> open, cons
 }
 
 void Solver::coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const {
-  const std::size_t slots = operators_->texels.slotCount();
-  Planes x;
-  for (std::size_t c = 0; c < 3; ++c) {
-    x[c].resize(slots);
-    for (std::size_t s = 0; s < slots; ++s) x[c][s] = reflectances_.rho[c][s] * directAt(column, open, s);
+  const transfer::Operators& op = *operators_;
+  const auto& rho = reflectances_.rho;
+  std::vector<float> e(op.texels.slotCount());
+  for (std::size_t s = 0; s < e.size(); ++s) e[s] = directAt(column, open, s);
+  std::vector<transfer::PatchLight> sent(op.nodes.patches.size());
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    const transfer::Nodes::Patch& patch = op.nodes.patches[i];
+    const float* from = &e[patch.begin];
+    sent[i] = transfer::restrictSent(op.nodes, patch, op.area, {rho[0], rho[1], rho[2]}, {from, from, from});
   }
-  Planes sent;
   column.skeleton.clear();
-  solveNodes(x, column.node, sent);
+  column.node.resize(sent.size());
+  nodes_->solve(sent, column.node);
   if (source != nullptr) radiosityOf(column, open, nullptr, column.node, *source);
 }
 
@@ -251,31 +225,22 @@ void Solver::indirect(Column& column, std::span<const float> open, std::vector<v
     return;
   }
   Lap lap;
-  const std::size_t slots = op.texels.slotCount();
   Planes e1;
-  for (auto& plane : e1) plane.resize(slots);
-  firstBounce(column, open, column.skeleton, e1);
+  for (auto& plane : e1) plane.resize(source != nullptr ? op.texels.slotCount() : 0);
+  std::vector<transfer::PatchLight> sent(op.nodes.patches.size());
+  firstBounce(column, open, sent, source != nullptr ? &e1 : nullptr);
   if (times != nullptr) times->first_bounce += lap.ms();
-  Planes b1;
-  parallelFor(3, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      if (colourOf(node_of_[c]) != c) continue;  // an equal channel is not computed twice
-      b1[c].resize(slots);
-      for (std::size_t s = 0; s < slots; ++s) {
-        const float shown = open.empty() ? 1.0F : open[s];
-        b1[c][s] = reflectances_.rho[c][s] * shown * std::max(0.0F, e1[c][op.fill_from[s]]);
-      }
-    }
-  });
-  Planes coefficients;
-  Planes sent;
-  solveNodes(b1, coefficients, sent);
+  std::vector<transfer::PatchLight> more(sent.size());
+  std::vector<transfer::PatchLight> sent_on(sent.size());
+  nodes_->solve(sent, more);
+  nodes_->reflect(more, sent_on);
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    for (std::size_t a = 0; a < 3; ++a) sent[i].c[a] += sent_on[i].c[a];
+  }
   if (times != nullptr) times->nodes += lap.ms();
-  std::vector<vec4> y2;
-  gatherFromNodes(sent, y2);
-  for (std::size_t k = 0; k < y2.size(); ++k) column.skeleton[k] += y2[k];
+  addFromNodes(sent, column.skeleton);
   if (times != nullptr) times->gather += lap.ms();
-  if (source != nullptr) radiosityOf(column, open, &e1, coefficients, *source);
+  if (source != nullptr) radiosityOf(column, open, &e1, more, *source);
 }
 
 void Solver::addCluster(const Column& column, const vec4& w, std::size_t i, Planes& total) const {
@@ -304,15 +269,12 @@ void Solver::addCluster(const Column& column, const vec4& w, std::size_t i, Plan
       g[s] += std::max(0.0F, light[1][s]);
       b[s] += std::max(0.0F, light[2][s]);
     }
-  } else if (!column.node[0].empty()) {
+  } else if (!column.node.empty()) {
     for (std::uint32_t s = c.begin; s < c.end; ++s) {
-      const transfer::Nodes::Patch& p = op.nodes.patches[op.nodes.patch_of[s]];
+      const auto& e = column.node[op.nodes.patch_of[s]].c;
+      const vec4 value = e[0] + e[1] * op.nodes.phi[s].x + e[2] * op.nodes.phi[s].y;
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::vector<float>& coefficients = column.node[k];
-        float value = coefficients[p.first];
-        if (p.count > 1) value += coefficients[p.first + 1] * op.nodes.phi[s].x;
-        if (p.count > 2) value += coefficients[p.first + 2] * op.nodes.phi[s].y;
-        total[k][s] += w[static_cast<int>(k)] * std::max(0.0F, value);
+        total[k][s] += w[static_cast<int>(k)] * std::max(0.0F, value[static_cast<int>(k)]);
       }
     }
   }

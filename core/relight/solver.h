@@ -36,7 +36,7 @@ struct Column {
   std::vector<std::uint8_t> lit;    ///< per cluster
   /// Response of each channel to white light of this luminaire (colour is applied by mixing):
   std::vector<vec4> skeleton;       ///< per gather list; empty with coarse operators
-  std::array<std::vector<float>, 3> node;  ///< coarse operators: node coefficients of the indirect light
+  std::vector<transfer::PatchLight> node;  ///< coarse operators: the indirect light per patch
 };
 
 /// Everything that depends on geometry and reflectances but not on luminaires. Thread-compatible:
@@ -80,20 +80,19 @@ class Solver {
 
  private:
   using Planes = std::array<std::vector<float>, 3>;
-  void factor();
-  void makePalettes();
-  /// The first colour channel that a distinct channel stands for.
-  [[nodiscard]] std::size_t colourOf(std::size_t distinct) const {
-    return static_cast<std::size_t>(std::find(node_of_.begin(), node_of_.end(), distinct) - node_of_.begin());
-  }
   void addCluster(const Column& column, const vec4& weight, std::size_t cluster, Planes& total) const;
   void coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const;
-  void firstBounce(const Column& column, std::span<const float> open, std::vector<vec4>& y1, Planes& e1) const;
-  void solveNodes(const Planes& radiosity, Planes& coefficients, Planes& sent) const;
-  void gatherFromNodes(const Planes& sent, std::vector<vec4>& y) const;
-  void conserve(const dvec3& sent, std::vector<vec4>& y) const;
-  void radiosityOf(const Column& column, std::span<const float> open, const Planes* e1, const Planes& coefficients,
-                   std::vector<vec4>& source) const;
+  /// Skeleton and what the patches send after it; e1: its light per slot, if wanted.
+  void firstBounce(Column& column, std::span<const float> open, std::span<transfer::PatchLight> sent, Planes* e1) const;
+  /// Radiosity of direct light per slot, which pages have any (GatherLists), and the sum that stays in the scene.
+  dvec3 sendDirect(const Column& column, std::span<const float> open, std::span<vec4> x,
+                   std::span<std::uint8_t> lit) const;
+  void interpolateFirst(std::span<const vec4> y, std::span<const float> open, std::size_t cluster,
+                        std::span<transfer::PatchLight> sent, Planes* e1) const;
+  void addFromNodes(std::span<const transfer::PatchLight> sent, std::vector<vec4>& y) const;
+  [[nodiscard]] vec4 conservingScale(const dvec3& sent, std::span<const vec4> y) const;
+  void radiosityOf(const Column& column, std::span<const float> open, const Planes* e1,
+                   std::span<const transfer::PatchLight> more, std::vector<vec4>& source) const;
   [[nodiscard]] float directAt(const Column& column, std::span<const float> open, std::size_t slot) const {
     const float e = column.direct[operators_->fill_from[slot]];
     return open.empty() ? e : e * open[slot];
@@ -103,13 +102,10 @@ class Solver {
   std::shared_ptr<const transfer::Operators> operators_;
   transfer::ShadowGroups shadow_groups_;
   Reflectances reflectances_;
-  std::optional<transfer::NodeSolver> nodes_;  ///< of the distinct channels; none without nodes
-  std::size_t channels_ = 0;                   ///< distinct ones
-  std::array<std::size_t, 3> node_of_{0, 0, 0};  ///< colour channel -> distinct channel
-  std::vector<transfer::Palette> palettes_;    ///< per cluster
-  std::vector<std::uint8_t> place_;            ///< per slot: in its cluster's palette
+  std::optional<transfer::NodeSolver> nodes_;  ///< none without nodes
   std::vector<std::uint32_t> filled_;         ///< slots that show another's light
-  std::vector<float> kept_moment_;            ///< per node function: sum A kept phi
+  std::vector<std::uint32_t> first_patch_;    ///< per cluster, then the end
+  std::vector<vec3> kept_moment_;             ///< per patch: sum A kept phi of its functions
 };
 
 }  // namespace soffit::relight

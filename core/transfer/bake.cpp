@@ -112,7 +112,7 @@ void fillInvalid(const FirstHits& first, Operators& operators) {
 }  // namespace
 
 std::size_t Operators::bytes() const {
-  return lists.bytes() + node_lists.bytes() + weights.size() * sizeof(float) + nodes.matrix.size() * sizeof(float) +
+  return lists.bytes() + node_lists.bytes() + weights.size() * sizeof(Half) + nodes.matrix.bytes() +
          nodes.phi.size() * sizeof(vec2) + list_area.size() * sizeof(float) + clusters.size() * sizeof(ClusterWeights);
 }
 

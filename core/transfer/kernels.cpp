@@ -5,10 +5,8 @@
 
 #include <hwy/highway.h>
 
-#include <bit>
-
-#include "core/base/parallel.h"
 #include "core/transfer/kernels.h"
+#include "core/transfer/rgb_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace soffit::transfer::HWY_NAMESPACE {
@@ -18,211 +16,62 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::CappedTag<float, 16>;
 constexpr D d;
 
-template <int kVectors>
-void MultiplyVectors(const float* matrix, std::size_t stride, std::size_t rows, const float* const* x,
-                     float* const* y, std::size_t offset) {
-  const std::size_t lanes = hn::Lanes(d);
-  using V = hn::Vec<D>;
-  for (std::size_t r = 0; r < rows; ++r) {
-    const float* row = matrix + r * stride;
-    V sum0[kVectors];
-    V sum1[kVectors];
-    for (int i = 0; i < kVectors; ++i) sum0[i] = sum1[i] = hn::Zero(d);
-    std::size_t c = 0;
-    for (; c + 2 * lanes <= stride; c += 2 * lanes) {
-      const V m0 = hn::LoadU(d, row + c);
-      const V m1 = hn::LoadU(d, row + c + lanes);
-      for (int i = 0; i < kVectors; ++i) {
-        sum0[i] = hn::MulAdd(m0, hn::LoadU(d, x[i] + c), sum0[i]);
-        sum1[i] = hn::MulAdd(m1, hn::LoadU(d, x[i] + c + lanes), sum1[i]);
-      }
-    }
-    for (; c < stride; c += lanes) {
-      const V m = hn::LoadU(d, row + c);
-      for (int i = 0; i < kVectors; ++i) sum0[i] = hn::MulAdd(m, hn::LoadU(d, x[i] + c), sum0[i]);
-    }
-    for (int i = 0; i < kVectors; ++i) {
-      y[i][offset + r] = hn::GetLane(hn::SumOfLanes(d, hn::Add(sum0[i], sum1[i])));
-    }
-  }
-}
+/// The four places of a group: entries are offsets in bytes.
+struct Group {
+  const char* page;
+  const GatherLists::Entry* entry;
 
-void MultiplyRows(const float* matrix, std::size_t stride, std::size_t rows, const float* const* x, float* const* y,
-                  std::size_t offset, std::size_t vectors) {
-  switch (vectors) {
-    case 1: MultiplyVectors<1>(matrix, stride, rows, x, y, offset); break;
-    case 2: MultiplyVectors<2>(matrix, stride, rows, x, y, offset); break;
-    case 3: MultiplyVectors<3>(matrix, stride, rows, x, y, offset); break;
-    default: break;
+  HWY_INLINE Rgb single(std::size_t k) const {
+    return loadRgb(reinterpret_cast<const float*>(page + entry[k]));
   }
-}
-
-/// Entries at..at+lanes of which `left` count: slots within the cluster, and rays.
-struct Taps {
-  hn::Vec<hn::Rebind<std::int32_t, D>> slot;
-  hn::Vec<D> rays;
+  HWY_INLINE Rgb addTo(Rgb sum, std::size_t k) const {
+    const auto* from = reinterpret_cast<const float*>(page + (entry[k] & ~15U));
+    return mulAddRgb(GatherLists::kRays[entry[k] & 15U], loadRgb(from), sum);
+  }
 };
 
-HWY_INLINE Taps tapsAt(const GatherLists& lists, std::size_t at, std::size_t left) {
-  const hn::Rebind<std::int32_t, D> di;
-  const hn::Rebind<std::uint16_t, D> d16;
-  const std::size_t lanes = hn::Lanes(d);
-  HWY_ALIGN std::uint16_t few[16];
-  const std::uint16_t* from = reinterpret_cast<const std::uint16_t*>(&lists.entries[at]);
-  if (at + lanes > lists.entries.size()) {  // the last lists: nothing may be read beyond
-    for (std::size_t i = 0; i < lanes; ++i) few[i] = i < left ? from[i] : std::uint16_t{0};
-    from = few;
-  }
-  auto packed = hn::PromoteTo(di, hn::LoadU(d16, from));
-  if (left < lanes) packed = hn::IfThenElseZero(hn::FirstN(di, left), packed);
-  return {hn::And(packed, hn::Set(di, 255)), hn::ConvertTo(d, hn::ShiftRight<8>(packed))};
-}
-
-void GatherTinted(const GatherLists& lists, std::size_t first, const TintedLight& light, float* y, std::size_t count) {
-  using V = hn::Vec<D>;
-  const std::size_t lanes = hn::Lanes(d);
-  const hn::Rebind<std::int32_t, D> di;
+void Gather(const GatherLists& lists, std::size_t first, const float* x, const std::uint8_t* lit,
+            float* y, std::size_t count) {
+  const auto groupAt = [&](std::size_t g) {
+    const std::size_t floats = 4UL * GatherLists::kPage * lists.pages[g];
+    return Group{reinterpret_cast<const char*>(x + floats), &lists.entries[4 * g]};
+  };
   for (std::size_t k = 0; k < count; ++k) {
     const GatherLists::List& list = lists.lists[first + k];
-    V red = hn::Zero(d);
-    V green = hn::Zero(d);
-    V blue = hn::Zero(d);
-    for (std::uint32_t b = list.first_block; b < list.first_block + list.block_count; ++b) {
-      const GatherLists::Block& block = lists.blocks[b];
-      if (light.lit[block.cluster] == 0) continue;
-      const float* const lux = light.lux.data() + block.base;
-      const Palette& palette = light.palettes[block.cluster];
-      if (palette.size == 1) {
-        V sum = hn::Zero(d);
-        for (std::size_t e = 0; e < block.count; e += lanes) {
-          const Taps taps = tapsAt(lists, block.first + e, block.count - e);
-          sum = hn::MulAdd(taps.rays, hn::GatherIndex(d, lux, taps.slot), sum);
-        }
-        red = hn::MulAdd(sum, hn::Set(d, palette.rho[0][0]), red);
-        green = hn::MulAdd(sum, hn::Set(d, palette.rho[1][0]), green);
-        blue = hn::MulAdd(sum, hn::Set(d, palette.rho[2][0]), blue);
-      } else if (palette.size != 0 && palette.size <= lanes) {
-        const V rho_r = hn::LoadU(d, palette.rho[0].data());
-        const V rho_g = hn::LoadU(d, palette.rho[1].data());
-        const V rho_b = hn::LoadU(d, palette.rho[2].data());
-        for (std::size_t e = 0; e < block.count; e += lanes) {
-          const Taps taps = tapsAt(lists, block.first + e, block.count - e);
-          const V value = hn::GatherIndex(d, lux, taps.slot);
-          const auto place = hn::IndicesFromVec(d, hn::And(hn::BitCast(di, value), hn::Set(di, 15)));
-          const V sent = hn::Mul(taps.rays, value);
-          red = hn::MulAdd(sent, hn::TableLookupLanes(rho_r, place), red);
-          green = hn::MulAdd(sent, hn::TableLookupLanes(rho_g, place), green);
-          blue = hn::MulAdd(sent, hn::TableLookupLanes(rho_b, place), blue);
-        }
-      } else {
-        for (std::size_t e = 0; e < block.count; e += lanes) {
-          const Taps taps = tapsAt(lists, block.first + e, block.count - e);
-          const V sent = hn::Mul(taps.rays, hn::GatherIndex(d, lux, taps.slot));
-          red = hn::MulAdd(sent, hn::GatherIndex(d, light.rho[0].data() + block.base, taps.slot), red);
-          green = hn::MulAdd(sent, hn::GatherIndex(d, light.rho[1].data() + block.base, taps.slot), green);
-          blue = hn::MulAdd(sent, hn::GatherIndex(d, light.rho[2].data() + block.base, taps.slot), blue);
-        }
-      }
+    const std::size_t mixed = std::size_t{list.first_group} + list.single;
+    // Four sums: an addition takes four cycles.
+    Rgb s0 = zeroRgb(), s1 = zeroRgb(), s2 = zeroRgb(), s3 = zeroRgb();
+    for (std::size_t g = list.first_group; g < mixed; ++g) {
+      if (lit != nullptr && lit[lists.pages[g]] == 0) continue;
+      const Group group = groupAt(g);
+      s0 = addRgb(s0, group.single(0));
+      s1 = addRgb(s1, group.single(1));
+      s2 = addRgb(s2, group.single(2));
+      s3 = addRgb(s3, group.single(3));
     }
-    y[4 * k] = list.scale * hn::GetLane(hn::SumOfLanes(d, red));
-    y[4 * k + 1] = list.scale * hn::GetLane(hn::SumOfLanes(d, green));
-    y[4 * k + 2] = list.scale * hn::GetLane(hn::SumOfLanes(d, blue));
-    y[4 * k + 3] = 0.0F;
+    for (std::size_t g = mixed; g < mixed + list.mixed; ++g) {
+      if (lit != nullptr && lit[lists.pages[g]] == 0) continue;
+      const Group group = groupAt(g);
+      s0 = group.addTo(s0, 0);
+      s1 = group.addTo(s1, 1);
+      s2 = group.addTo(s2, 2);
+      s3 = group.addTo(s3, 3);
+    }
+    storeRgb(mulAddRgb(list.scale, addRgb(addRgb(s0, s1), addRgb(s2, s3)), zeroRgb()), y + 4 * k);
   }
 }
 
-void GatherRgb(const GatherLists& lists, std::size_t first, const float* x, const std::uint8_t* lit, float* y,
-               std::size_t count) {
-#if HWY_TARGET == HWY_SCALAR
-  for (std::size_t k = 0; k < count; ++k) {
-    const GatherLists::List& list = lists.lists[first + k];
-    float sum[4] = {0, 0, 0, 0};
-    for (std::uint32_t b = list.first_block; b < list.first_block + list.block_count; ++b) {
-      const GatherLists::Block& block = lists.blocks[b];
-      if (lit != nullptr && lit[block.cluster] == 0) continue;
-      for (std::uint32_t e = block.first; e < block.first + block.count; ++e) {
-        const float* from = x + 4 * (block.base + lists.entries[e].local);
-        const auto n = static_cast<float>(lists.entries[e].count);
-        for (int c = 0; c < 4; ++c) sum[c] += n * from[c];
-      }
-    }
-    for (int c = 0; c < 4; ++c) y[4 * k + static_cast<std::size_t>(c)] = sum[c] * list.scale;
-  }
-#else
-  using D4 = hn::CappedTag<float, 4>;
-  constexpr D4 d4;
-  for (std::size_t k = 0; k < count; ++k) {
-    const GatherLists::List& list = lists.lists[first + k];
-    auto sum0 = hn::Zero(d4);
-    auto sum1 = hn::Zero(d4);
-    for (std::uint32_t b = list.first_block; b < list.first_block + list.block_count; ++b) {
-      const GatherLists::Block& block = lists.blocks[b];
-      if (lit != nullptr && lit[block.cluster] == 0) continue;
-      const GatherLists::Entry* entry = &lists.entries[block.first];
-      const float* base = x + 4 * static_cast<std::size_t>(block.base);
-      std::uint32_t e = 0;
-      for (; e + 2 <= block.count; e += 2) {
-        const auto n0 = hn::Set(d4, static_cast<float>(entry[e].count));
-        const auto n1 = hn::Set(d4, static_cast<float>(entry[e + 1].count));
-        sum0 = hn::MulAdd(n0, hn::LoadU(d4, base + 4 * static_cast<std::size_t>(entry[e].local)), sum0);
-        sum1 = hn::MulAdd(n1, hn::LoadU(d4, base + 4 * static_cast<std::size_t>(entry[e + 1].local)), sum1);
-      }
-      if (e < block.count) {
-        const auto n0 = hn::Set(d4, static_cast<float>(entry[e].count));
-        sum0 = hn::MulAdd(n0, hn::LoadU(d4, base + 4 * static_cast<std::size_t>(entry[e].local)), sum0);
-      }
-    }
-    hn::StoreU(hn::Mul(hn::Add(sum0, sum1), hn::Set(d4, list.scale)), d4, y + 4 * k);
-  }
-#endif
-}
-
-void GatherNodes(const NodeLists& lists, std::size_t first, const float* b, float* y, std::size_t count) {
-#if HWY_TARGET == HWY_SCALAR
-  for (std::size_t k = 0; k < count; ++k) {
-    const NodeLists::List& list = lists.lists[first + k];
-    for (std::uint32_t e = list.first; e < list.first + list.count; ++e) {
-      const NodeLists::Entry& entry = lists.entries[e];
-      const float* from = b + 4 * static_cast<std::size_t>(lists.first_function[entry.patch]);
-      const int functions = lists.function_count[entry.patch];
-      for (int c = 0; c < 4; ++c) {
-        float v = static_cast<float>(entry.count) * from[c];
-        if (functions > 1) v += static_cast<float>(entry.phi1) * NodeLists::kStep * from[4 + c];
-        if (functions > 2) v += static_cast<float>(entry.phi2) * NodeLists::kStep * from[8 + c];
-        y[4 * k + static_cast<std::size_t>(c)] += v * list.scale;
-      }
-    }
-  }
-#else
-  using D4 = hn::CappedTag<float, 4>;
-  constexpr D4 d4;
-  for (std::size_t k = 0; k < count; ++k) {
-    const NodeLists::List& list = lists.lists[first + k];
-    auto sum0 = hn::Zero(d4);
-    auto sum1 = hn::Zero(d4);
-    for (std::uint32_t e = list.first; e < list.first + list.count; ++e) {
-      const NodeLists::Entry& entry = lists.entries[e];
-      const float* from = b + 4 * static_cast<std::size_t>(lists.first_function[entry.patch]);
-      // Patches with fewer functions carry 0 in phi1, phi2; b is padded so that the loads are safe.
-      sum0 = hn::MulAdd(hn::Set(d4, static_cast<float>(entry.count)), hn::LoadU(d4, from), sum0);
-      sum1 = hn::MulAdd(hn::Set(d4, static_cast<float>(entry.phi1)), hn::LoadU(d4, from + 4), sum1);
-      sum1 = hn::MulAdd(hn::Set(d4, static_cast<float>(entry.phi2)), hn::LoadU(d4, from + 8), sum1);
-    }
-    const auto sum = hn::MulAdd(hn::Set(d4, NodeLists::kStep), sum1, sum0);
-    hn::StoreU(hn::MulAdd(sum, hn::Set(d4, list.scale), hn::LoadU(d4, y + 4 * k)), d4, y + 4 * k);
-  }
-#endif
-}
-
-void Interpolate(const float* weights, const float* y, std::size_t rank, std::size_t slots, float* out_r,
+void Interpolate(const Half* weights, const float* y, std::size_t rank, std::size_t slots, float* out_r,
                  float* out_g, float* out_b) {
+  static_assert(sizeof(Half) == sizeof(hwy::float16_t));
   const std::size_t lanes = hn::Lanes(d);
+  const hn::Rebind<hwy::float16_t, D> half;
   for (std::size_t s = 0; s < slots; s += lanes) {
     auto r = hn::LoadU(d, out_r + s);
     auto g = hn::LoadU(d, out_g + s);
     auto b = hn::LoadU(d, out_b + s);
     for (std::size_t k = 0; k < rank; ++k) {
-      const auto w = hn::LoadU(d, weights + k * slots + s);
+      const auto w = hn::PromoteTo(d, hn::LoadU(half, reinterpret_cast<const hwy::float16_t*>(weights + k * slots + s)));
       r = hn::MulAdd(w, hn::Set(d, y[4 * k]), r);
       g = hn::MulAdd(w, hn::Set(d, y[4 * k + 1]), g);
       b = hn::MulAdd(w, hn::Set(d, y[4 * k + 2]), b);
@@ -247,41 +96,19 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace soffit::transfer {
 
-HWY_EXPORT(MultiplyRows);
-HWY_EXPORT(GatherTinted);
-HWY_EXPORT(GatherRgb);
-HWY_EXPORT(GatherNodes);
+HWY_EXPORT(Gather);
 HWY_EXPORT(Interpolate);
 HWY_EXPORT(AddScaled);
 
-void multiplyRows(std::span<const float> matrix, std::size_t stride, std::size_t rows,
-                  std::span<const float* const> x, std::span<float* const> y) {
-  parallelFor(rows, 128, [&](std::size_t begin, std::size_t end) {
-    HWY_DYNAMIC_DISPATCH(MultiplyRows)(matrix.data() + begin * stride, stride, end - begin, x.data(), y.data(), begin,
-                                       x.size());
-  });
-}
-
-void gatherTinted(const GatherLists& lists, std::size_t first, const TintedLight& light, std::span<vec4> y) {
-  static_assert(sizeof(GatherLists::Entry) == 2 && std::endian::native == std::endian::little,
-                "entries are read as 16-bit words: the slot below, the count above");
+void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x,
+            std::span<const std::uint8_t> lit, std::span<vec4> y) {
+  static_assert(sizeof(vec4) == 16 && GatherLists::kPage * sizeof(vec4) == 1U << 16U && GatherLists::kGroup == 4);
   if (y.empty()) return;
-  HWY_DYNAMIC_DISPATCH(GatherTinted)(lists, first, light, &y[0].x, y.size());
+  const float* from = x.empty() ? nullptr : &x[0].x;
+  HWY_DYNAMIC_DISPATCH(Gather)(lists, first, from, lit.empty() ? nullptr : lit.data(), &y[0].x, y.size());
 }
 
-void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x, std::span<const std::uint8_t> lit_of,
-            std::span<vec4> y) {
-  static_assert(sizeof(vec4) == 4 * sizeof(float));
-  if (y.empty()) return;
-  HWY_DYNAMIC_DISPATCH(GatherRgb)(lists, first, &x[0].x, lit_of.empty() ? nullptr : lit_of.data(), &y[0].x, y.size());
-}
-
-void gatherNodes(const NodeLists& lists, std::size_t first, std::span<const vec4> b, std::span<vec4> y) {
-  if (y.empty()) return;
-  HWY_DYNAMIC_DISPATCH(GatherNodes)(lists, first, &b[0].x, &y[0].x, y.size());
-}
-
-void interpolate(std::span<const float> weights, std::span<const vec4> y, std::size_t slots, float* out_r,
+void interpolate(std::span<const Half> weights, std::span<const vec4> y, std::size_t slots, float* out_r,
                  float* out_g, float* out_b) {
   if (y.empty()) return;
   HWY_DYNAMIC_DISPATCH(Interpolate)(weights.data(), &y[0].x, y.size(), slots, out_r, out_g, out_b);

@@ -15,11 +15,12 @@ namespace soffit::transfer {
 struct NodeLists {
   /// Sums of phi are stored in steps of kStep: half a ray, far below the rays' own noise.
   static constexpr float kStep = 0.5F;
+  /// Larger sums and gaps than a byte holds take several entries.
   struct Entry {
-    std::uint16_t patch = 0;
-    std::uint16_t count = 0;
-    std::int16_t phi1 = 0;
-    std::int16_t phi2 = 0;
+    std::uint8_t gap = 0;  ///< patches since the entry before; of a list's first one its patch
+    std::int8_t count = 0;
+    std::int8_t phi1 = 0;
+    std::int8_t phi2 = 0;
   };
   struct List {
     std::uint32_t first = 0;
@@ -28,13 +29,12 @@ struct NodeLists {
   };
   std::vector<Entry> entries;
   std::vector<List> lists;
-  std::vector<std::uint32_t> first_function;  ///< per patch
-  std::vector<std::uint8_t> function_count;   ///< per patch
 
-  [[nodiscard]] std::size_t bytes() const { return entries.size() * sizeof(Entry) + lists.size() * sizeof(List); }
+  [[nodiscard]] std::size_t bytes() const {
+    return entries.size() * sizeof(Entry) + lists.size() * sizeof(List);
+  }
 };
 
-/// At most 65536 patches.
 NodeLists makeNodeLists(const GatherLists& lists, const Nodes& nodes);
 
 }  // namespace soffit::transfer

@@ -1,151 +1,127 @@
 // SPDX-License-Identifier: MIT
 #include "core/transfer/node_solver.h"
 
-#include "core/base/parallel.h"
-#include "core/transfer/kernels.h"
-
-#include <Eigen/Dense>
+#include "core/transfer/linear_solver.h"
 
 #include <algorithm>
-#include <array>
 
 namespace soffit::transfer {
-
 namespace {
 
-/// One channel's reflectances, and the factors of its tail.
-struct Channel {
-  /// Per patch the symmetric 3 x 3 M_ab = 1/A sum A rho phi_a phi_b: 00, 01, 02, 11, 12, 22.
-  std::vector<std::array<float, 6>> reflect;
-  Eigen::PartialPivLU<Eigen::MatrixXf> factor;
-  bool dark = true;  // nothing reflects
-};
+/// Residual of the tail: below what the next bounce of single precision numbers rounds away.
+constexpr double kTolerance = 2e-6;
 
-void setReflectance(const Nodes& nodes, std::span<const float> area, std::span<const float> reflectance,
-                    Channel& channel) {
-  channel.reflect.resize(nodes.patches.size());
-  for (std::size_t i = 0; i < nodes.patches.size(); ++i) {
-    const Nodes::Patch& p = nodes.patches[i];
-    std::array<double, 6> m{};
-    for (std::uint32_t s = p.begin; s < p.end; ++s) {
-      const double w = static_cast<double>(area[s]) * static_cast<double>(reflectance[s]);
-      const double x = static_cast<double>(nodes.phi[s].x);
-      const double y = static_cast<double>(nodes.phi[s].y);
-      m[0] += w;
-      m[1] += w * x;
-      m[2] += w * y;
-      m[3] += w * x * x;
-      m[4] += w * x * y;
-      m[5] += w * y * y;
-    }
-    for (std::size_t k = 0; k < 6; ++k) {
-      channel.reflect[i][k] = p.area > 0.0 ? static_cast<float>(m[k] / p.area) : 0.0F;
-    }
-    if (channel.reflect[i][0] > 0.0F) channel.dark = false;
+std::array<float, 6> reflectanceOf(const Nodes& nodes, const Nodes::Patch& p,
+                                   std::span<const float> area,
+                                   std::span<const float> reflectance) {
+  std::array<double, 6> m{};
+  for (std::uint32_t s = p.begin; s < p.end; ++s) {
+    const double w = static_cast<double>(area[s]) * static_cast<double>(reflectance[s]);
+    const double x = static_cast<double>(nodes.phi[s].x);
+    const double y = static_cast<double>(nodes.phi[s].y);
+    m[0] += w;
+    m[1] += w * x;
+    m[2] += w * y;
+    m[3] += w * x * x;
+    m[4] += w * x * y;
+    m[5] += w * y * y;
   }
-}
-
-/// b = M e.
-void reflectInto(const Nodes& nodes, const Channel& channel, std::span<const float> e, std::span<float> b) {
-  for (std::size_t i = 0; i < nodes.patches.size(); ++i) {
-    const Nodes::Patch& p = nodes.patches[i];
-    const auto& m = channel.reflect[i];
-    const float e0 = e[p.first];
-    const float e1 = p.count > 1 ? e[p.first + 1] : 0.0F;
-    const float e2 = p.count > 2 ? e[p.first + 2] : 0.0F;
-    b[p.first] = m[0] * e0 + m[1] * e1 + m[2] * e2;
-    if (p.count > 1) b[p.first + 1] = m[1] * e0 + m[3] * e1 + m[4] * e2;
-    if (p.count > 2) b[p.first + 2] = m[2] * e0 + m[4] * e1 + m[5] * e2;
-  }
-}
-
-/// y = F x for all channels, the matrix read once.
-void multiply(const Nodes& nodes, const NodeSolver::Vectors& x, NodeSolver::Vectors& y) {
-  std::vector<const float*> from;
-  std::vector<float*> to;
-  for (std::size_t c = 0; c < x.size(); ++c) {
-    y[c].resize(nodes.stride, 0.0F);
-    from.push_back(x[c].data());
-    to.push_back(y[c].data());
-  }
-  multiplyRows(nodes.matrix, nodes.stride, nodes.functions, from, to);
+  std::array<float, 6> out{};
+  for (std::size_t k = 0; k < 6 && p.area > 0.0; ++k) out[k] = static_cast<float>(m[k] / p.area);
+  return out;
 }
 
 }  // namespace
 
-struct NodeSolver::Impl {
-  const Nodes* nodes = nullptr;
-  Eigen::MatrixXf constants;  // F_c, patches x patches
-  std::vector<Channel> channels;
-
-  /// e += the rest of the series, from the radiosity that is still to be sent.
-  void addTail(const Channel& channel, std::span<const float> b, std::span<float> e) const {
-    const auto count = static_cast<Eigen::Index>(nodes->patches.size());
-    Eigen::VectorXf sent(count);
-    for (Eigen::Index i = 0; i < count; ++i) sent(i) = b[nodes->patches[static_cast<std::size_t>(i)].first];
-    const Eigen::VectorXf tail = channel.factor.solve(constants * sent);
-    for (Eigen::Index i = 0; i < count; ++i) e[nodes->patches[static_cast<std::size_t>(i)].first] += tail(i);
-  }
-};
-
 NodeSolver::NodeSolver(const Nodes& nodes, std::span<const float> area,
                        std::span<const std::span<const float>> reflectance)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->nodes = &nodes;
-  impl_->channels.resize(reflectance.size());
-  const auto count = static_cast<Eigen::Index>(nodes.patches.size());
-  impl_->constants.resize(count, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const float* row = &nodes.matrix[nodes.patches[static_cast<std::size_t>(i)].first * nodes.stride];
-    for (Eigen::Index j = 0; j < count; ++j) {
-      impl_->constants(i, j) = row[nodes.patches[static_cast<std::size_t>(j)].first];
+    : nodes_(&nodes), constants_(constantsOf(nodes.matrix)) {
+  reflect_.assign(nodes.patches.size(), {});
+  for (std::size_t i = 0; i < nodes.patches.size(); ++i) {
+    for (std::size_t k = 0; k < 6; ++k) reflect_[i][k] = vec4(0.0F);
+    for (int c = 0; c < static_cast<int>(reflectance.size()); ++c) {
+      const auto m = reflectanceOf(nodes, nodes.patches[i], area,
+                                   reflectance[static_cast<std::size_t>(c)]);
+      for (std::size_t k = 0; k < 6; ++k) reflect_[i][k][c] = m[k];
+      if (m[0] > 0.0F) bright_[c] = 1.0F;
+    }
+    reflect_constant_.push_back(reflect_[i][0]);
+  }
+}
+
+void NodeSolver::addTail(std::span<const PatchLight> b, std::span<PatchLight> e) const {
+  const std::size_t count = b.size();
+  std::vector<vec4> sent(count);
+  std::vector<vec4> first(count);
+  std::vector<vec4> tail(count);
+  for (std::size_t i = 0; i < count; ++i) sent[i] = b[i].c[0];
+  multiplyConstants(constants_, sent, first);
+  solveLanes(
+      [&](std::span<const vec4> x, std::span<vec4> y) {
+        for (std::size_t i = 0; i < count; ++i) sent[i] = reflect_constant_[i] * x[i];
+        multiplyConstants(constants_, sent, y);
+      },
+      first, tail, kTolerance);
+  for (std::size_t i = 0; i < count; ++i) e[i].c[0] += tail[i];
+}
+
+void NodeSolver::solve(std::span<const PatchLight> b0, std::span<PatchLight> indirect) const {
+  std::vector<PatchLight> b(b0.size());
+  std::vector<PatchLight> e2(b0.size());
+  multiplyNodes(nodes_->matrix, b0, indirect);
+  reflect(indirect, b);
+  multiplyNodes(nodes_->matrix, b, e2);
+  reflect(e2, b);
+  for (std::size_t i = 0; i < e2.size(); ++i) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      indirect[i].c[a] = bright_ * (indirect[i].c[a] + e2[i].c[a]);
     }
   }
-  parallelFor(reflectance.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      Channel& channel = impl_->channels[c];
-      setReflectance(nodes, area, reflectance[c], channel);
-      if (channel.dark) continue;
-      // e = F_c b3 + F_c M_c e  =>  (I - F_c M_c) e = F_c b3.
-      Eigen::MatrixXf system(count, count);
-      for (Eigen::Index j = 0; j < count; ++j) {
-        system.col(j) = -channel.reflect[static_cast<std::size_t>(j)][0] * impl_->constants.col(j);
-        system(j, j) += 1.0F;
-      }
-      channel.factor.compute(system);
-    }
-  });
+  addTail(b, indirect);
 }
-
-NodeSolver::~NodeSolver() = default;
-NodeSolver::NodeSolver(NodeSolver&&) noexcept = default;
-NodeSolver& NodeSolver::operator=(NodeSolver&&) noexcept = default;
 
 void NodeSolver::solve(const Vectors& b0, Vectors& indirect) const {
-  const Nodes& nodes = *impl_->nodes;
-  const std::size_t channels = impl_->channels.size();
-  Vectors e2(channels);
-  Vectors b(channels, std::vector<float>(nodes.stride, 0.0F));
-  indirect.resize(channels);
-  multiply(nodes, b0, indirect);
-  for (std::size_t c = 0; c < channels; ++c) reflectInto(nodes, impl_->channels[c], indirect[c], b[c]);
-  multiply(nodes, b, e2);
-  parallelFor(channels, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      const Channel& channel = impl_->channels[c];
-      if (channel.dark) {
-        std::fill(indirect[c].begin(), indirect[c].end(), 0.0F);
-        continue;
-      }
-      reflectInto(nodes, channel, e2[c], b[c]);
-      for (std::size_t f = 0; f < nodes.functions; ++f) indirect[c][f] += e2[c][f];
-      impl_->addTail(channel, b[c], indirect[c]);
-    }
-  });
+  const std::vector<PatchLight> b = toPatches(*nodes_, b0);
+  std::vector<PatchLight> e(b.size());
+  solve(b, e);
+  indirect.resize(b0.size());
+  fromPatches(*nodes_, e, indirect);
 }
 
-void NodeSolver::reflect(std::size_t channel, std::span<const float> irradiance, std::span<float> radiosity) const {
-  reflectInto(*impl_->nodes, impl_->channels[channel], irradiance, radiosity);
+void NodeSolver::reflect(std::span<const PatchLight> irradiance,
+                         std::span<PatchLight> radiosity) const {
+  for (std::size_t i = 0; i < irradiance.size(); ++i) {
+    const auto& m = reflect_[i];
+    const auto& e = irradiance[i].c;
+    auto& b = radiosity[i].c;
+    b[0] = m[0] * e[0] + m[1] * e[1] + m[2] * e[2];
+    b[1] = m[1] * e[0] + m[3] * e[1] + m[4] * e[2];
+    b[2] = m[2] * e[0] + m[4] * e[1] + m[5] * e[2];
+  }
+}
+
+std::vector<PatchLight> toPatches(const Nodes& nodes, const NodeSolver::Vectors& coefficients) {
+  std::vector<PatchLight> out(nodes.patches.size());
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Nodes::Patch& p = nodes.patches[i];
+    for (int c = 0; c < static_cast<int>(coefficients.size()); ++c) {
+      const std::vector<float>& from = coefficients[static_cast<std::size_t>(c)];
+      for (std::size_t a = 0; a < p.count; ++a) out[i].c[a][c] = from[p.first + a];
+    }
+  }
+  return out;
+}
+
+void fromPatches(const Nodes& nodes, std::span<const PatchLight> patches,
+                 NodeSolver::Vectors& coefficients) {
+  for (int c = 0; c < static_cast<int>(coefficients.size()); ++c) {
+    std::vector<float>& to = coefficients[static_cast<std::size_t>(c)];
+    to.assign(nodes.stride, 0.0F);
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+      const Nodes::Patch& p = nodes.patches[i];
+      for (std::size_t a = 0; a < p.count; ++a) to[p.first + a] = patches[i].c[a][c];
+    }
+  }
 }
 
 }  // namespace soffit::transfer

@@ -83,6 +83,17 @@ Nodes makeNodes(const Texels& texels, std::span<const float> area, std::uint32_t
 
 namespace {
 
+/// Calls f(receiver, sender, value) for every block.
+template <class F>
+void forEachBlock(Nodes& nodes, const F& f) {
+  for (std::size_t i = 0; i < nodes.patches.size(); ++i) {
+    for (std::uint32_t k = nodes.matrix.first[i]; k < nodes.matrix.first[i + 1]; ++k) {
+      NodeMatrix::Block& block = nodes.matrix.blocks[k];
+      f(nodes.patches[i], nodes.patches[block.sender], block.value);
+    }
+  }
+}
+
 /// Scales and shifts columns so that sum over receivers of A_i F_i0,b is what b's own rays say
 /// arrives anywhere: A_b (1 - lost_b) for constants, the like moment for linear functions.
 void conserveEnergy(Nodes& nodes, std::span<const float> area, std::span<const std::uint32_t> hits, int rays) {
@@ -101,62 +112,102 @@ void conserveEnergy(Nodes& nodes, std::span<const float> area, std::span<const s
     }
   }
   std::vector<double> arrived(nodes.functions, 0.0);
-  for (const Nodes::Patch& p : nodes.patches) {
-    const float* row = &nodes.matrix[p.first * nodes.stride];
-    for (std::size_t f = 0; f < nodes.functions; ++f) arrived[f] += p.area * static_cast<double>(row[f]);
+  forEachBlock(nodes, [&](const Nodes::Patch& receiver, const Nodes::Patch& sender, auto& value) {
+    for (std::uint32_t b = 0; b < sender.count; ++b) {
+      arrived[sender.first + b] += receiver.area * static_cast<double>(value[b]);
+    }
+  });
+  forEachBlock(nodes, [&](const Nodes::Patch& receiver, const Nodes::Patch& sender, auto& value) {
+    const double whole = arrived[sender.first];
+    if (whole <= 0.0) return;
+    const double scale = sent[sender.first] / whole;
+    for (std::uint32_t a = 0; a < receiver.count; ++a) {
+      const double before = static_cast<double>(value[3 * a]);
+      for (std::uint32_t b = 1; b < sender.count && a == 0; ++b) {
+        // What is missing in the linear column is spread like the constant one.
+        const double missing = sent[sender.first + b] - arrived[sender.first + b];
+        value[b] += static_cast<float>(before * missing / whole);
+      }
+      value[3 * a] = static_cast<float>(before * scale);
+    }
+  });
+}
+
+/// One receiving patch: sums over its texels' rays.
+class RowMaker {
+ public:
+  RowMaker(const Nodes& nodes, std::span<const float> area, std::span<const std::uint32_t> hits,
+           int rays)
+      : nodes_(nodes), area_(area), hits_(hits), rays_(rays), sums_(nodes.patches.size()) {}
+
+  std::vector<NodeMatrix::Block> make(const Nodes::Patch& p) {
+    if (p.area <= 0.0) return {};
+    for (std::uint32_t s = p.begin; s < p.end; ++s) {
+      if (area_[s] > 0.0F) addRays(s, p);
+    }
+    std::sort(senders_.begin(), senders_.end());
+    std::vector<NodeMatrix::Block> out;
+    for (const std::uint32_t sender : senders_) {
+      NodeMatrix::Block& block = out.emplace_back();
+      block.sender = sender;
+      for (std::size_t k = 0; k < 9; ++k) block.value[k] = static_cast<float>(sums_[sender][k]);
+      sums_[sender].fill(0.0);
+    }
+    senders_.clear();
+    return out;
   }
-  for (const Nodes::Patch& p : nodes.patches) {
-    if (arrived[p.first] <= 0.0) continue;
-    const double scale = sent[p.first] / arrived[p.first];
-    for (const Nodes::Patch& receiver : nodes.patches) {
-      for (std::uint32_t k = 0; k < receiver.count; ++k) {
-        float* row = &nodes.matrix[(receiver.first + k) * nodes.stride];
-        const double before = static_cast<double>(row[p.first]);
-        for (std::uint32_t f = 1; f < p.count; ++f) {
-          // What is missing in the linear column is spread like the constant one.
-          const double missing = sent[p.first + f] - arrived[p.first + f];
-          if (k == 0) row[p.first + f] += static_cast<float>(before * missing / arrived[p.first]);
+
+ private:
+  void addRays(std::uint32_t slot, const Nodes::Patch& p) {
+    const double weight = static_cast<double>(area_[slot]) / (p.area * rays_);
+    const std::array<double, 3> w = {weight, weight * static_cast<double>(nodes_.phi[slot].x),
+                                     weight * static_cast<double>(nodes_.phi[slot].y)};
+    const auto rays = static_cast<std::size_t>(rays_);
+    for (const std::uint32_t hit : hits_.subspan(slot * rays, rays)) {
+      if (hit == kNoTexel) continue;
+      const std::uint32_t sender = nodes_.patch_of[hit];
+      const std::array<double, 3> phi = {1.0, static_cast<double>(nodes_.phi[hit].x),
+                                         static_cast<double>(nodes_.phi[hit].y)};
+      auto& sum = sums_[sender];
+      if (sum[0] == 0.0) senders_.push_back(sender);
+      for (std::size_t a = 0; a < p.count; ++a) {
+        for (std::size_t b = 0; b < nodes_.patches[sender].count; ++b) {
+          sum[3 * a + b] += w[a] * phi[b];
         }
-        row[p.first] = static_cast<float>(before * scale);
       }
     }
   }
-}
+
+  const Nodes& nodes_;
+  std::span<const float> area_;
+  std::span<const std::uint32_t> hits_;
+  int rays_;
+  std::vector<std::array<double, 9>> sums_;  ///< per sender
+  std::vector<std::uint32_t> senders_;       ///< whose sums are not 0
+};
 
 }  // namespace
 
-void fillNodeMatrix(Nodes& nodes, std::span<const float> area, std::span<const std::uint32_t> hits, int rays) {
-  nodes.matrix.assign(nodes.functions * nodes.stride, 0.0F);
-  parallelFor(nodes.patches.size(), 4, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> rows(3 * nodes.functions);
-    for (std::size_t i = begin; i < end; ++i) {
-      const Nodes::Patch& p = nodes.patches[i];
-      if (p.area <= 0.0) continue;
-      std::fill(rows.begin(), rows.end(), 0.0);
-      for (std::uint32_t s = p.begin; s < p.end; ++s) {
-        if (area[s] <= 0.0F) continue;
-        const double weight = static_cast<double>(area[s]) / (p.area * rays);
-        const std::array<double, 3> w = {weight, weight * static_cast<double>(nodes.phi[s].x),
-                                         weight * static_cast<double>(nodes.phi[s].y)};
-        for (int r = 0; r < rays; ++r) {
-          const std::uint32_t hit = hits[static_cast<std::size_t>(s) * static_cast<std::size_t>(rays) + static_cast<std::size_t>(r)];
-          if (hit == kNoTexel) continue;
-          const Nodes::Patch& source = nodes.patches[nodes.patch_of[hit]];
-          const std::array<double, 3> phi = {1.0, static_cast<double>(nodes.phi[hit].x),
-                                             static_cast<double>(nodes.phi[hit].y)};
-          for (std::uint32_t a = 0; a < p.count; ++a) {
-            for (std::uint32_t b = 0; b < source.count; ++b) {
-              rows[a * nodes.functions + source.first + b] += w[a] * phi[b];
-            }
-          }
-        }
-      }
-      for (std::uint32_t a = 0; a < p.count; ++a) {
-        float* out = &nodes.matrix[(p.first + a) * nodes.stride];
-        for (std::size_t f = 0; f < nodes.functions; ++f) out[f] = static_cast<float>(rows[a * nodes.functions + f]);
-      }
-    }
+float NodeMatrix::at(std::size_t receiver, std::size_t a, std::size_t sender, std::size_t b) const {
+  for (std::uint32_t k = first[receiver]; k < first[receiver + 1]; ++k) {
+    if (blocks[k].sender == sender) return blocks[k].value[3 * a + b];
+  }
+  return 0.0F;
+}
+
+void fillNodeMatrix(Nodes& nodes, std::span<const float> area, std::span<const std::uint32_t> hits,
+                    int rays) {
+  std::vector<std::vector<NodeMatrix::Block>> rows(nodes.patches.size());
+  parallelFor(rows.size(), 4, [&](std::size_t begin, std::size_t end) {
+    RowMaker maker(nodes, area, hits, rays);
+    for (std::size_t i = begin; i < end; ++i) rows[i] = maker.make(nodes.patches[i]);
   });
+  nodes.matrix = {};
+  for (const auto& row : rows) {
+    nodes.matrix.first.push_back(static_cast<std::uint32_t>(nodes.matrix.blocks.size()));
+    nodes.matrix.blocks.insert(nodes.matrix.blocks.end(), row.begin(), row.end());
+  }
+  nodes.matrix.first.push_back(static_cast<std::uint32_t>(nodes.matrix.blocks.size()));
   conserveEnergy(nodes, area, hits, rays);
 }
 

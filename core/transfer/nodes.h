@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/transfer/node_matrix.h"
 #include "core/transfer/texels.h"
 
 #include <cstdint>
@@ -25,11 +26,8 @@ struct Nodes {
   std::vector<std::uint32_t> patch_of;  ///< per slot
   std::vector<vec2> phi;                ///< per slot: phi_1, phi_2 (0 where the patch lacks them)
   std::size_t functions = 0;
-
-  /// Irradiance coefficients from radiosity coefficients, geometry only: row-major
-  /// functions x stride, e = matrix b. stride is `functions` rounded up to 16.
-  std::vector<float> matrix;
-  std::size_t stride = 0;
+  std::size_t stride = 0;  ///< length of a vector of coefficients: `functions` rounded up to 16
+  NodeMatrix matrix;
 };
 
 /// Makes patches and bases. area: m^2 per slot, 0 for texels that take no part.

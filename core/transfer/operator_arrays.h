@@ -56,9 +56,10 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
       texels;
   auto& [x, y, z, nx, ny, nz, slot_of, point_of, receiver_clusters, groups] = receivers;
   auto& [chart_list, chart_triangles, chart_of] = charts;
-  auto& [patches, patch_of, phi, functions, matrix, stride] = nodes;
-  auto& [list_entries, list_blocks, list_list] = lists;
-  auto& [node_entries, node_list, first_function, function_count] = node_lists;
+  auto& [patches, patch_of, phi, functions, stride, matrix] = nodes;
+  auto& [matrix_first, matrix_blocks] = matrix;
+  auto& [list_entries, list_pages, list_list] = lists;
+  auto& [node_entries, node_list] = node_lists;
   visit("scalars", records.scalars);  // cell, functions, stride, coarse
   static_cast<void>(cell), static_cast<void>(functions), static_cast<void>(stride),
       static_cast<void>(coarse);
@@ -92,14 +93,13 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   visit("nodes.patches", patches);
   visit("nodes.patch_of", patch_of);
   visit("nodes.phi", phi);
-  visit("nodes.matrix", matrix);
+  visit("nodes.matrix_first", matrix_first);
+  visit("nodes.matrix_blocks", matrix_blocks);
   visit("lists.entries", list_entries);
-  visit("lists.blocks", list_blocks);
+  visit("lists.pages", list_pages);
   visit("lists.lists", list_list);
   visit("node_lists.entries", node_entries);
   visit("node_lists.lists", node_list);
-  visit("node_lists.first", first_function);
-  visit("node_lists.count", function_count);
   visit("clusters", clusters);
   visit("weights", weights);
   visit("list_area", list_area);
@@ -116,11 +116,12 @@ static_assert(is_packed<light::Receivers::Bounds, 3 * 12 + 4>);
 static_assert(is_packed<light::Receivers::Cluster, 3 * 4 + sizeof(light::Receivers::Bounds)>);
 static_assert(is_packed<Texels::Grid, 6 * 4 + 8>);
 static_assert(is_packed<Nodes::Patch, 4 * 4 + 8>);
+static_assert(is_packed<NodeMatrix::Block, 4 + 9 * 4>);
 static_assert(is_packed<GatherLists::Entry, 2>);
-static_assert(is_packed<GatherLists::Block, 4 * 4>);
-static_assert(is_packed<GatherLists::List, 3 * 4>);
-static_assert(is_packed<NodeLists::Entry, 4 * 2>);
+static_assert(is_packed<GatherLists::List, 4 * 4>);
+static_assert(is_packed<NodeLists::Entry, 4 * 1>);
 static_assert(is_packed<NodeLists::List, 3 * 4>);
+static_assert(is_packed<Half, 2>);
 static_assert(is_packed<ClusterWeights, 2 * 4 + 8>);
 
 }  // namespace soffit::transfer

@@ -4,6 +4,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/transfer/gather_lists.h"
+#include "core/transfer/half.h"
 #include "core/transfer/node_lists.h"
 #include "core/transfer/nodes.h"
 #include "core/transfer/static_scene.h"
@@ -48,7 +49,7 @@ struct Operators {
   GatherLists lists;                     ///< what each skeleton point sees, texel by texel
   NodeLists node_lists;                  ///< the same by node functions
   std::vector<ClusterWeights> clusters;  ///< per cluster of texels.receivers
-  std::vector<float> weights;
+  std::vector<Half> weights;             ///< sums of some 20 of them: rounding disappears in the rays' noise
   std::vector<float> list_area;          ///< per list: sum over slots of area x weight, for energy conservation
   bool coarse = false;                   ///< lists and weights are not there yet: indirect from nodes alone
 

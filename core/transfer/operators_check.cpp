@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -96,67 +97,84 @@ bool texelsAreSane(const Texels& texels) {
          std::isfinite(texels.cell);
 }
 
-bool nodesAreSane(const Nodes& nodes, std::size_t slots) {
-  if (nodes.patch_of.size() != slots || nodes.phi.size() != slots) return false;
-  if (!below(nodes.patch_of, nodes.patches.size()) || !saneVectors(nodes.phi)) return false;
-  std::uint64_t next = 0;  // functions are numbered one after the other
+/// Patches follow each other without gaps, each within one cluster and of whole groups; so do their
+/// functions.
+bool patchesAreSane(const Nodes& nodes, const light::Receivers& receivers) {
+  std::uint64_t function = 0;
+  std::uint64_t slot = 0;
+  std::size_t cluster = 0;
   for (const Nodes::Patch& p : nodes.patches) {
-    if (p.begin > p.end || p.end > slots || !std::isfinite(p.area)) return false;
-    if (p.first != next || p.count < 1 || p.count > 3) return false;
-    next += p.count;
+    if (cluster == receivers.clusters.size() || p.begin != slot || p.end <= p.begin) return false;
+    if (p.end > receivers.clusters[cluster].end || p.end % light::Receivers::kGroup != 0)
+      return false;
+    if (!std::isfinite(p.area) || p.first != function || p.count < 1 || p.count > 3) return false;
+    function += p.count;
+    slot = p.end;
+    if (slot == receivers.clusters[cluster].end) ++cluster;
   }
-  if (nodes.functions != next || nodes.stride != (nodes.functions + 15) / 16 * 16) return false;
-  return nodes.matrix.size() == nodes.functions * nodes.stride && sane(nodes.matrix);
+  return slot == receivers.slotCount() && nodes.functions == function &&
+         nodes.stride == (nodes.functions + 15) / 16 * 16;
 }
 
-bool gatherListsAreSane(const GatherLists& lists, const light::Receivers& receivers) {
-  // Blocks and lists follow each other without gaps, as append() makes them.
-  std::uint64_t next = 0;
-  for (const GatherLists::Block& b : lists.blocks) {
-    if (b.cluster >= receivers.clusters.size() || b.first != next || b.count == 0) return false;
-    if (!within(b.first, b.count, lists.entries.size())) return false;
-    const light::Receivers::Cluster& c = receivers.clusters[b.cluster];
-    if (b.base != c.begin) return false;
-    std::uint32_t highest = 0;
-    for (std::uint32_t e = b.first; e < b.first + b.count; ++e) {
-      highest = std::max<std::uint32_t>(highest, lists.entries[e].local);
-    }
-    if (highest >= c.end - c.begin) return false;
-    next += b.count;
-  }
-  if (next != lists.entries.size()) return false;
-  next = 0;
-  for (const GatherLists::List& list : lists.lists) {
-    if (list.first_block != next || !within(next, list.block_count, lists.blocks.size()))
+bool matrixIsSane(const NodeMatrix& matrix, std::size_t patches) {
+  if (patches == 0) return matrix.first.size() <= 1 && matrix.blocks.empty();
+  if (matrix.first.size() != patches + 1 || matrix.first.front() != 0) return false;
+  if (!std::is_sorted(matrix.first.begin(), matrix.first.end())) return false;
+  if (matrix.first.back() != matrix.blocks.size()) return false;
+  return std::all_of(matrix.blocks.begin(), matrix.blocks.end(), [&](const auto& block) {
+    return block.sender < patches && sane(block.value);
+  });
+}
+
+bool nodesAreSane(const Nodes& nodes, const light::Receivers& receivers) {
+  const std::size_t slots = receivers.slotCount();
+  if (nodes.patch_of.size() != slots || nodes.phi.size() != slots) return false;
+  if (!below(nodes.patch_of, nodes.patches.size()) || !saneVectors(nodes.phi)) return false;
+  return patchesAreSane(nodes, receivers) && matrixIsSane(nodes.matrix, nodes.patches.size());
+}
+
+bool gatherListsAreSane(const GatherLists& lists, std::size_t slots) {
+  // Groups follow each other without gaps, as append() makes them.
+  constexpr std::size_t kGroup = GatherLists::kGroup;
+  if (lists.entries.size() != kGroup * lists.pages.size()) return false;
+  for (std::size_t k = 0; k < lists.entries.size(); ++k) {
+    if (lists.pages[k / kGroup] * GatherLists::kPage + (lists.entries[k] >> 4U) >= slots)
       return false;
-    if (!sane({&list.scale, 1})) return false;
-    next += list.block_count;
   }
-  return next == lists.blocks.size();
+  std::uint64_t next = 0;
+  for (const GatherLists::List& list : lists.lists) {
+    const std::uint64_t count = std::uint64_t{list.single} + list.mixed;
+    if (list.first_group != next || !within(next, count, lists.pages.size())) return false;
+    if (!sane({&list.scale, 1})) return false;
+    // Single rays are read without their codes.
+    const auto begin = lists.entries.begin() + static_cast<std::ptrdiff_t>(kGroup * next);
+    const auto end = begin + static_cast<std::ptrdiff_t>(kGroup * list.single);
+    if (std::any_of(begin, end, [](GatherLists::Entry e) { return (e & 15U) != 0; })) return false;
+    next += count;
+  }
+  return next == lists.pages.size();
 }
 
 bool nodeListsAreSane(const NodeLists& lists, const Operators& operators) {
-  const std::size_t patches = lists.first_function.size();
-  if (operators.coarse && patches == 0) return lists.lists.empty() && lists.entries.empty();
-  if (patches != operators.nodes.patches.size() || lists.function_count.size() != patches)
-    return false;
-  for (std::size_t p = 0; p < patches; ++p) {
-    if (!within(lists.first_function[p], lists.function_count[p], operators.nodes.functions))
-      return false;
-    if (lists.function_count[p] < 1 || lists.function_count[p] > 3) return false;
-  }
+  const std::size_t patches = operators.nodes.patches.size();
+  if (operators.coarse && lists.lists.empty()) return lists.entries.empty();
   if (lists.lists.size() != operators.lists.lists.size()) return false;
-  for (const NodeLists::Entry& entry : lists.entries) {
-    if (entry.patch >= patches) return false;
-  }
   return std::all_of(lists.lists.begin(), lists.lists.end(), [&](const NodeLists::List& list) {
-    return within(list.first, list.count, lists.entries.size()) && sane({&list.scale, 1});
+    if (!within(list.first, list.count, lists.entries.size()) || !sane({&list.scale, 1}))
+      return false;
+    std::uint64_t patch = 0;
+    for (std::uint32_t e = list.first; e < list.first + list.count; ++e) {
+      patch += lists.entries[e].gap;
+    }
+    return list.count == 0 || patch < patches;
   });
 }
 
 bool weightsAreSane(const Operators& operators) {
   const auto& clusters = operators.texels.receivers.clusters;
-  if (!sane(operators.weights) || !sane(operators.list_area)) return false;
+  if (!sane(operators.list_area)) return false;
+  if (!std::all_of(operators.weights.begin(), operators.weights.end(), std::mem_fn(&Half::finite)))
+    return false;
   if (operators.list_area.size() != operators.lists.lists.size()) return false;
   if (operators.coarse && operators.clusters.empty()) return true;
   if (operators.clusters.size() != clusters.size()) return false;
@@ -182,8 +200,8 @@ std::string inconsistency(const Operators& operators) {
       !below(operators.fill_from, slots)) {
     return "texel areas";
   }
-  if (!nodesAreSane(operators.nodes, slots)) return "nodes";
-  if (!gatherListsAreSane(operators.lists, operators.texels.receivers)) return "gather lists";
+  if (!nodesAreSane(operators.nodes, operators.texels.receivers)) return "nodes";
+  if (!gatherListsAreSane(operators.lists, slots)) return "gather lists";
   if (!nodeListsAreSane(operators.node_lists, operators)) return "node lists";
   if (!weightsAreSane(operators)) return "weights";
   return {};

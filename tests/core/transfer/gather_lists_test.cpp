@@ -4,14 +4,16 @@
 
 #include "core/math/rng.h"
 #include "core/transfer/kernels.h"
-#include "core/transfer/node_lists.h"
-#include "core/transfer/nodes.h"
+#include "core/transfer/node_kernels.h"
+#include "core/transfer/node_solver.h"
+#include "tests/core/transfer/every_target.h"
 #include "tests/core/transfer/rooms.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace soffit::transfer {
 namespace {
@@ -20,7 +22,6 @@ using namespace testing;
 
 struct Lists {
   Texels texels;
-  SlotClusters clusters;
   std::vector<std::vector<std::uint32_t>> rays;  ///< per list, as given
   GatherLists lists;
 };
@@ -30,7 +31,6 @@ Lists randomLists(std::size_t lists, std::size_t count, std::uint64_t seed) {
   Lists out;
   const auto scene = sceneOf(blockRoom());
   out.texels = makeTexels(*scene->mesh, scene->sides, 0.15, nullptr);
-  out.clusters = slotClusters(out.texels.receivers);
   Rng rng(seed);
   for (std::size_t k = 0; k < lists; ++k) {
     std::vector<std::uint32_t> slots;
@@ -47,7 +47,7 @@ Lists randomLists(std::size_t lists, std::size_t count, std::uint64_t seed) {
                       : out.texels.receivers.slot_of[std::min(point, out.texels.texelCount() - 1)]);
     }
     out.rays.push_back(slots);
-    out.lists.append(slots, out.clusters);
+    out.lists.append(slots);
   }
   return out;
 }
@@ -89,7 +89,7 @@ TEST(GatherLists, ATexelThatManyRaysMeetCountsThemAll) {
   const Lists l = randomLists(0, 0, 1);
   GatherLists lists;
   std::vector<std::uint32_t> slots(4096, 5);  // more than a byte holds
-  lists.append(slots, l.clusters);
+  lists.append(slots);
   const std::vector<vec4> x = randomLight(l.texels.slotCount(), 4);
   std::vector<vec4> y(1);
   gather(lists, 0, x, {}, y);
@@ -100,7 +100,7 @@ TEST(GatherLists, NoRaysOrDarkOnesGiveNothing) {
   const Lists l = randomLists(0, 0, 1);
   GatherLists lists;
   std::vector<std::uint32_t> dark(64, kNoTexel);
-  lists.append(dark, l.clusters);
+  lists.append(dark);
   const std::vector<vec4> x = randomLight(l.texels.slotCount(), 4);
   std::vector<vec4> y(1, vec4(7.0F));
   gather(lists, 0, x, {}, y);
@@ -131,60 +131,64 @@ TEST(GatherLists, AppendedSetsStayWhatTheyWere) {
   EXPECT_EQ(part[1], y[5]);
 }
 
-TEST(GatherLists, DarkClustersAreSkipped) {
-  const Lists l = randomLists(6, 500, 8);
-  std::vector<vec4> x = randomLight(l.texels.slotCount(), 4);
-  std::vector<std::uint8_t> lit(l.texels.receivers.clusters.size());
-  for (std::size_t c = 0; c < lit.size(); ++c) {
-    lit[c] = c % 3 == 0 ? 1 : 0;
-    const light::Receivers::Cluster& cluster = l.texels.receivers.clusters[c];
-    if (lit[c] == 0) std::fill(x.begin() + cluster.begin, x.begin() + cluster.end, vec4(0.0F));
+/// Lists of `rays` rays to slots of this many pages, without texels behind them.
+GatherLists pagedLists(std::size_t lists, std::size_t rays, std::uint32_t pages,
+                       std::vector<std::vector<std::uint32_t>>& given) {
+  Rng rng(8);
+  GatherLists out;
+  for (std::size_t k = 0; k < lists; ++k) {
+    std::vector<std::uint32_t>& slots = given.emplace_back();
+    while (slots.size() < rays) {
+      const auto slot = static_cast<std::uint32_t>(rng.uniform() * 0.9999F *
+                                                   static_cast<float>(pages * GatherLists::kPage));
+      // From one ray to several times what an entry holds.
+      const std::size_t times = std::min<std::size_t>(rays - slots.size(), 1 + (slot * slot) % 700);
+      slots.insert(slots.end(), slot % 3 == 0 ? times : 1, slot);
+    }
+    std::vector<std::uint32_t> copy = slots;
+    out.append(copy);
   }
-  std::vector<vec4> y(6);
-  gather(l.lists, 0, x, lit, y);
-  for (std::size_t k = 0; k < 6; ++k) expectNear(y[k], expected(l.rays[k], x), kRoundoff);
+  return out;
 }
 
-TEST(GatherTinted, IsTheGatherOfReflectedWhiteLight) {
-  // Few reflectances a cluster (a palette), and more than it holds (textures).
-  for (const std::size_t paints : {3U, 40U}) {
-    const Lists l = randomLists(6, 500, 9);
-    const std::size_t slots = l.texels.slotCount();
-    Rng rng(2);
-    std::vector<float> lux(slots);
-    std::array<std::vector<float>, 3> rho;
-    for (auto& channel : rho) channel.resize(slots);
-    std::vector<std::size_t> paint(slots);
-    for (std::size_t s = 0; s < slots; ++s) {
-      lux[s] = 100.0F * rng.uniform();
-      paint[s] = static_cast<std::size_t>(rng.uniform() * 0.999F * static_cast<float>(paints));
-      for (std::size_t c = 0; c < 3; ++c) {
-        rho[c][s] = static_cast<float>(1 + paint[s] + 2 * c) / static_cast<float>(2 * paints + 10);
-      }
+TEST(GatherLists, EveryRayIsKeptOnAnyNumberOfPages) {
+  for (const std::uint32_t pages : {1U, 2U, 40U}) {
+    std::vector<std::vector<std::uint32_t>> given;
+    const GatherLists lists = pagedLists(3, 4096, pages, given);
+    const std::vector<vec4> x = randomLight(std::size_t{pages} * GatherLists::kPage, 4);
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::vector<std::uint32_t> found;
+      lists.forEachEntry(lists.lists[k], [&](std::uint32_t slot, std::uint32_t rays) {
+        found.insert(found.end(), rays, slot);
+      });
+      std::sort(found.begin(), found.end());
+      std::sort(given[k].begin(), given[k].end());
+      EXPECT_EQ(found, given[k]);
     }
-    std::vector<Palette> palettes(l.texels.receivers.clusters.size());
-    std::vector<float> packed = lux;
-    for (std::size_t k = 0; k < palettes.size() && paints <= Palette::kMost; ++k) {
-      palettes[k].size = static_cast<std::uint32_t>(paints);
-      const light::Receivers::Cluster& cluster = l.texels.receivers.clusters[k];
-      for (std::uint32_t s = cluster.begin; s < cluster.end; ++s) {
-        for (std::size_t c = 0; c < 3; ++c) palettes[k].rho[c][paint[s]] = rho[c][s];
-        packed[s] = TintedLight::pack(lux[s], static_cast<std::uint32_t>(paint[s]));
-      }
-    }
-    const std::vector<std::uint8_t> lit(palettes.size(), 1);
-    std::vector<vec4> y(6);
-    gatherTinted(l.lists, 0,
-                 {.lux = packed, .rho = {rho[0], rho[1], rho[2]}, .palettes = palettes, .lit = lit},
-                 y);
-    std::vector<vec4> x(slots);
-    for (std::size_t s = 0; s < slots; ++s)
-      x[s] = {rho[0][s] * lux[s], rho[1][s] * lux[s], rho[2][s] * lux[s], 0};
-    for (std::size_t k = 0; k < 6; ++k) {
-      expectNear(y[k], expected(l.rays[k], x),
-                 2e-6 * 100 + 100 * kRoundoff);  // packing, and sums of up to 100
-    }
+    forEveryTarget([&] {
+      std::vector<vec4> y(3);
+      gather(lists, 0, x, {}, y);
+      for (std::size_t k = 0; k < 3; ++k) expectNear(y[k], expected(given[k], x), kRoundoff);
+    });
   }
+}
+
+TEST(GatherLists, DarkPagesAreNotRead) {
+  std::vector<std::vector<std::uint32_t>> given;
+  const GatherLists lists = pagedLists(4, 3000, 6, given);
+  std::vector<vec4> x = randomLight(std::size_t{6} * GatherLists::kPage, 4);
+  const std::vector<std::uint8_t> lit = {0, 1, 1, 0, 1, 0};
+  std::vector<vec4> shown = x;
+  for (std::size_t s = 0; s < x.size(); ++s) {
+    if (lit[s / GatherLists::kPage] != 0) continue;
+    shown[s] = vec4(0.0F);
+    x[s] = vec4(std::numeric_limits<float>::quiet_NaN());
+  }
+  forEveryTarget([&] {
+    std::vector<vec4> y(4);
+    gather(lists, 0, x, lit, y);
+    for (std::size_t k = 0; k < 4; ++k) expectNear(y[k], expected(given[k], shown), kRoundoff);
+  });
 }
 
 TEST(NodeLists, GatherSmoothLightLikeTheTexelsDo) {
@@ -192,26 +196,59 @@ TEST(NodeLists, GatherSmoothLightLikeTheTexelsDo) {
   const Nodes nodes = makeNodes(l.texels, l.texels.area, 64);
   const NodeLists lists = makeNodeLists(l.lists, nodes);
   ASSERT_EQ(lists.lists.size(), 8U);
-  std::vector<vec4> b(nodes.stride + 2, vec4(0.0F));
   std::vector<vec4> x(l.texels.slotCount());
-  std::array<std::vector<float>, 3> coefficients;
+  NodeSolver::Vectors coefficients(3);
   for (std::size_t c = 0; c < 3; ++c) {
     coefficients[c].assign(nodes.stride, 0.0F);
     for (std::size_t f = 0; f < nodes.functions; ++f) {
       coefficients[c][f] = 1.0F + 0.2F * std::sin(static_cast<float>(f * (c + 1)));
-      b[f][static_cast<int>(c)] = coefficients[c][f];
     }
     std::vector<float> value(x.size());
     prolongFromNodes(nodes, coefficients[c], value);
     for (std::size_t s = 0; s < x.size(); ++s) x[s][static_cast<int>(c)] = value[s];
   }
-  std::vector<vec4> y(8, vec4(1.0F));  // it adds
-  gatherNodes(lists, 0, b, y);
+  std::vector<vec4> y(8, vec4(1.0F));
+  gatherNodes(lists, 0, toPatches(nodes, coefficients), y);
   for (std::size_t k = 0; k < 8; ++k) {
     // Sums of phi are rounded to half a ray per patch and function: at most a quarter of a ray off,
     // times a coefficient of 1.2, over some 100 patches with random signs.
-    expectNear(y[k] - vec4(1.0F), expected(l.rays[k], x), 10.0 * 2 * 0.25 * 1.2 / 1024);
+    expectNear(y[k], expected(l.rays[k], x), 10.0 * 2 * 0.25 * 1.2 / 1024);
   }
+}
+
+TEST(NodeLists, SumsAndGapsThatNoByteHoldsTakeSeveralEntries) {
+  // 900 patches of 16 slots; rays to the first, to far ones, and 5000 to one.
+  Nodes nodes;
+  for (std::uint32_t i = 0; i < 900; ++i) {
+    nodes.patches.push_back({.begin = 16 * i, .end = 16 * i + 16, .first = 3 * i, .count = 3});
+    for (std::uint32_t s = 0; s < 16; ++s) {
+      nodes.patch_of.push_back(i);
+      nodes.phi.emplace_back(s < 8 ? -1.5F : 1.5F, s % 2 == 0 ? -2.0F : 2.0F);
+    }
+  }
+  std::vector<std::uint32_t> slots = {0, 1, 3, 600 * 16, 899 * 16 + 15};
+  slots.insert(slots.end(), 5000, 700 * 16 + 9);
+  slots.push_back(kNoTexel);
+  const std::vector<std::uint32_t> rays = slots;
+  GatherLists lists;
+  lists.append(slots);
+  const NodeLists node_lists = makeNodeLists(lists, nodes);
+  Rng rng(3);
+  std::vector<PatchLight> b(900);
+  std::vector<vec4> x(900 * 16);
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    for (vec4& c : b[i].c) c = {rng.uniform(), rng.uniform(), rng.uniform(), 0.0F};
+  }
+  for (std::size_t s = 0; s < x.size(); ++s) {
+    const PatchLight& p = b[nodes.patch_of[s]];
+    x[s] = p.c[0] + nodes.phi[s].x * p.c[1] + nodes.phi[s].y * p.c[2];
+  }
+  forEveryTarget([&] {
+    std::vector<vec4> y(1);
+    gatherNodes(node_lists, 0, b, y);
+    // Here all sums of phi are whole steps of half a ray: only rounding is left.
+    expectNear(y[0], expected(rays, x), 10 * kRoundoff);
+  });
 }
 
 }  // namespace

@@ -2,16 +2,19 @@
 // The loops against plain ones, with lengths that no vector unit divides.
 #include "core/transfer/kernels.h"
 
-#include "core/base/parallel.h"
 #include "core/math/rng.h"
+#include "tests/core/transfer/every_target.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
 namespace soffit::transfer {
 namespace {
+
+using testing::forEveryTarget;
 
 std::vector<float> randoms(std::size_t n, std::uint64_t seed) {
   Rng rng(seed);
@@ -20,78 +23,51 @@ std::vector<float> randoms(std::size_t n, std::uint64_t seed) {
   return v;
 }
 
-TEST(MultiplyRows, IsTheProductForAnyNumberOfRowsAndVectors) {
-  for (const std::size_t stride : {16U, 32U, 48U, 64U, 160U, 1008U}) {
-    for (const std::size_t rows : {1U, 3U, 15U, 17U, 100U}) {
-      for (const std::size_t vectors : {1U, 2U, 3U}) {
-        const std::vector<float> matrix = randoms(rows * stride, 1);
-        std::vector<std::vector<float>> x;
-        std::vector<std::vector<float>> y(vectors, std::vector<float>(rows + 1, 77.0F));
-        std::vector<const float*> px;
-        std::vector<float*> py;
-        for (std::size_t i = 0; i < vectors; ++i) x.push_back(randoms(stride, 2 + i));
-        for (std::size_t i = 0; i < vectors; ++i) {
-          px.push_back(x[i].data());
-          py.push_back(y[i].data());
-        }
-        multiplyRows(matrix, stride, rows, px, py);
-        for (std::size_t i = 0; i < vectors; ++i) {
-          for (std::size_t r = 0; r < rows; ++r) {
-            double expected = 0.0;
-            for (std::size_t c = 0; c < stride; ++c) {
-              expected +=
-                  static_cast<double>(matrix[r * stride + c]) * static_cast<double>(x[i][c]);
-            }
-            // Round-off: `stride` products of at most 1.
-            EXPECT_NEAR(static_cast<double>(y[i][r]), expected, static_cast<double>(stride) * 6e-8);
-          }
-          EXPECT_EQ(y[i][rows], 77.0F);  // nothing beyond
-        }
-      }
-    }
-  }
-}
-
-TEST(MultiplyRows, DoesNotDependOnTheNumberOfThreads) {
-  const std::size_t rows = 517;
-  const std::size_t stride = 528;
-  const std::vector<float> matrix = randoms(rows * stride, 1);
-  const std::vector<float> x = randoms(stride, 2);
-  const auto run = [&](int threads) {
-    setThreadCount(threads);
-    std::vector<float> y(rows);
-    const float* px = x.data();
-    float* py = y.data();
-    multiplyRows(matrix, stride, rows, std::span(&px, 1), std::span(&py, 1));
-    setThreadCount(0);
-    return y;
-  };
-  EXPECT_EQ(run(1), run(2));
-}
-
 TEST(Interpolate, AddsTheWeightedSums) {
   for (const std::size_t slots : {16U, 48U, 256U}) {
     for (const std::size_t rank : {0U, 1U, 2U, 3U, 7U, 48U}) {
-      const std::vector<float> weights = randoms(rank * slots, 3);
+      const std::vector<float> wished = randoms(rank * slots, 3);
+      std::vector<Half> weights(wished.begin(), wished.end());
+      // Zeros, the smallest and steps below the normal ones are numbers like others.
+      for (std::size_t k = 0; k < weights.size(); ++k) {
+        if (k % 5 == 0) weights[k].bits = static_cast<std::uint16_t>(k % 0x400U | k % 2 << 15U);
+      }
       std::vector<vec4> y(rank);
       Rng rng(4);
       for (vec4& v : y) v = {rng.uniform(), rng.uniform(), rng.uniform(), 0};
-      std::array<std::vector<float>, 3> out = {randoms(slots, 5), randoms(slots, 6),
-                                               randoms(slots, 7)};
-      const auto before = out;
-      interpolate(weights, y, slots, out[0].data(), out[1].data(), out[2].data());
-      for (std::size_t c = 0; c < 3; ++c) {
-        for (std::size_t s = 0; s < slots; ++s) {
-          double expected = static_cast<double>(before[c][s]);
-          for (std::size_t k = 0; k < rank; ++k) {
-            expected += static_cast<double>(weights[k * slots + s]) *
-                        static_cast<double>(y[k][static_cast<int>(c)]);
+      const std::array<std::vector<float>, 3> before = {randoms(slots, 5), randoms(slots, 6),
+                                                        randoms(slots, 7)};
+      forEveryTarget([&] {
+        auto out = before;
+        interpolate(weights, y, slots, out[0].data(), out[1].data(), out[2].data());
+        for (std::size_t c = 0; c < 3; ++c) {
+          for (std::size_t s = 0; s < slots; ++s) {
+            double expected = static_cast<double>(before[c][s]);
+            for (std::size_t k = 0; k < rank; ++k) {
+              expected += static_cast<double>(static_cast<float>(weights[k * slots + s])) *
+                          static_cast<double>(y[k][static_cast<int>(c)]);
+            }
+            EXPECT_NEAR(static_cast<double>(out[c][s]), expected,
+                        1e-5);  // round-off of 48 products
           }
-          EXPECT_NEAR(static_cast<double>(out[c][s]), expected, 1e-5);  // round-off of 48 products
         }
-      }
+      });
     }
   }
+}
+
+TEST(Interpolate, KeepsTheSmallestHalves) {
+  std::vector<Half> weights(1024);
+  for (std::size_t k = 0; k < weights.size(); ++k) weights[k].bits = static_cast<std::uint16_t>(k);
+  const std::vector<vec4> y(1, vec4(1.0F));
+  forEveryTarget([&] {
+    std::array<std::vector<float>, 3> out;
+    for (auto& plane : out) plane.assign(weights.size(), 0.0F);
+    interpolate(weights, y, weights.size(), out[0].data(), out[1].data(), out[2].data());
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+      EXPECT_EQ(out[1][k], static_cast<float>(weights[k])) << k;
+    }
+  });
 }
 
 TEST(AddScaled, WorksForAnyLength) {
@@ -104,16 +80,6 @@ TEST(AddScaled, WorksForAnyLength) {
       const double expected =
           static_cast<double>(before[i]) + (i < n ? 0.3F * static_cast<double>(x[i]) : 0.0);
       EXPECT_NEAR(static_cast<double>(y[i]), expected, 2e-7) << n << ' ' << i;
-    }
-  }
-}
-
-TEST(TintedLightPack, KeepsTheLightToAMillionth) {
-  for (const float lux : {0.0F, 1e-6F, 1.0F, 333.3F, 1e5F}) {
-    for (std::uint32_t place = 0; place < Palette::kMost; ++place) {
-      const float packed = TintedLight::pack(lux, place);
-      EXPECT_EQ(std::bit_cast<std::uint32_t>(packed) & 15U, place);
-      EXPECT_NEAR(packed, lux, 2e-6F * lux + 1e-40F);
     }
   }
 }

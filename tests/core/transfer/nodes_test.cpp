@@ -104,6 +104,10 @@ TEST(Nodes, ALinearFieldOnAFlatPatchIsExact) {
   }
 }
 
+std::size_t indexOf(const Nodes::Patch& patch) {
+  return static_cast<std::size_t>(&patch - coarse().nodes.patches.data());
+}
+
 TEST(NodeMatrix, UniformLightStaysUniformAndNoneIsLost) {
   const Nodes& nodes = coarse().nodes;
   // The void beyond is closed off: every surface sees radiosity 1, so receives 1.
@@ -112,12 +116,15 @@ TEST(NodeMatrix, UniformLightStaysUniformAndNoneIsLost) {
     if (p.area <= 0.0) continue;
     double e = 0.0;
     for (const Nodes::Patch& q : nodes.patches)
-      e += static_cast<double>(nodes.matrix[p.first * nodes.stride + q.first]);
+      e += static_cast<double>(nodes.matrix.at(indexOf(p), 0, indexOf(q), 0));
     // 64 rays from each of some 30 texels: noise of N^-3/4 per texel, averaged; conservation moves
     // rows by as much.
     EXPECT_NEAR(e, 1.0, 0.06);
-    for (std::size_t f = 0; f < nodes.functions; ++f) {
-      arrived[f] += p.area * static_cast<double>(nodes.matrix[p.first * nodes.stride + f]);
+    for (const Nodes::Patch& q : nodes.patches) {
+      for (std::uint32_t b = 0; b < q.count; ++b) {
+        arrived[q.first + b] +=
+            p.area * static_cast<double>(nodes.matrix.at(indexOf(p), 0, indexOf(q), b));
+      }
     }
   }
   for (const Nodes::Patch& q : nodes.patches) {
@@ -133,9 +140,9 @@ TEST(NodeMatrix, FormFactorsAreReciprocal) {
   for (const Nodes::Patch& p : nodes.patches) {
     for (const Nodes::Patch& q : nodes.patches) {
       const double there =
-          p.area * static_cast<double>(nodes.matrix[p.first * nodes.stride + q.first]);
+          p.area * static_cast<double>(nodes.matrix.at(indexOf(p), 0, indexOf(q), 0));
       const double back =
-          q.area * static_cast<double>(nodes.matrix[q.first * nodes.stride + p.first]);
+          q.area * static_cast<double>(nodes.matrix.at(indexOf(q), 0, indexOf(p), 0));
       difference += std::abs(there - back);
       whole += 0.5 * (there + back);
     }
@@ -161,11 +168,18 @@ std::vector<double> solvedDense(const std::vector<float>& b0, const std::vector<
         for (std::uint32_t a = 0; a < p.count; ++a) b[p.first + a] += share * phi(nodes, s, a);
       }
     }
-    for (std::size_t r = 0; r < nodes.functions; ++r) {
-      e[r] = 0.0;
-      for (std::size_t c = 0; c < nodes.functions; ++c) {
-        e[r] += static_cast<double>(nodes.matrix[r * nodes.stride + c]) *
-                (static_cast<double>(b0[c]) + b[c]);
+    for (std::size_t i = 0; i < nodes.patches.size(); ++i) {
+      const Nodes::Patch& p = nodes.patches[i];
+      for (std::uint32_t a = 0; a < p.count; ++a) e[p.first + a] = 0.0;
+      for (std::uint32_t k = nodes.matrix.first[i]; k < nodes.matrix.first[i + 1]; ++k) {
+        const NodeMatrix::Block& block = nodes.matrix.blocks[k];
+        const Nodes::Patch& q = nodes.patches[block.sender];
+        for (std::uint32_t a = 0; a < p.count; ++a) {
+          for (std::uint32_t c = 0; c < q.count; ++c) {
+            e[p.first + a] += static_cast<double>(block.value[3 * a + c]) *
+                              (static_cast<double>(b0[q.first + c]) + b[q.first + c]);
+          }
+        }
       }
     }
   }
@@ -232,14 +246,17 @@ TEST(NodeSolver, ReflectsTexelByTexel) {
   std::vector<float> e(nodes.stride, 0.0F);
   for (std::size_t f = 0; f < nodes.functions; ++f)
     e[f] = 1.0F + 0.5F * std::cos(static_cast<float>(f));
-  std::vector<float> found(nodes.stride, 0.0F);
-  solver.reflect(0, e, found);
+  const std::vector<PatchLight> received = toPatches(nodes, {e});
+  std::vector<PatchLight> sent(received.size());
+  solver.reflect(received, sent);
+  NodeSolver::Vectors found(1);
+  fromPatches(nodes, sent, found);
   std::vector<float> value(rho.size());
   prolongFromNodes(nodes, e, value);
   for (std::size_t s = 0; s < rho.size(); ++s) value[s] *= rho[s];
   std::vector<float> expected(nodes.stride, 0.0F);
   restrictToNodes(nodes, texels.area, value, expected);
-  for (std::size_t f = 0; f < nodes.functions; ++f) EXPECT_NEAR(found[f], expected[f], 1e-4F) << f;
+  for (std::size_t f = 0; f < nodes.functions; ++f) EXPECT_NEAR(found[0][f], expected[f], 1e-4F);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "core/transfer/operators_check.h"
 
 #include "core/transfer/kernels.h"
+#include "core/transfer/node_kernels.h"
 #include "core/transfer/node_solver.h"
 #include "core/transfer/operator_arrays.h"
 #include "tests/core/transfer/small_bake.h"
@@ -46,9 +47,29 @@ TEST(Inconsistency, NamesThePart) {
   EXPECT_EQ(after([&](Operators& o) { o.kept[0] = nan; }), "texel areas");
   EXPECT_EQ(after([](Operators& o) { o.nodes.patch_of[0] = 1000; }), "nodes");
   EXPECT_EQ(after([](Operators& o) { o.nodes.stride += 16; }), "nodes");
-  EXPECT_EQ(after([](Operators& o) { o.lists.blocks[0].base += 16; }), "gather lists");
-  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().block_count += 1; }), "gather lists");
-  EXPECT_EQ(after([](Operators& o) { o.node_lists.entries[0].patch = 60000; }), "node lists");
+  EXPECT_EQ(after([](Operators& o) { o.nodes.patches[0].end += 16; }), "nodes");
+  EXPECT_EQ(after([](Operators& o) { o.nodes.patches.pop_back(); }), "nodes");
+  EXPECT_EQ(after([](Operators& o) { o.nodes.matrix.first[1] = 1U << 30U; }), "nodes");
+  EXPECT_EQ(after([](Operators& o) { o.nodes.matrix.first.pop_back(); }), "nodes");
+  EXPECT_EQ(after([](Operators& o) { o.nodes.matrix.blocks[3].sender = 5000; }), "nodes");
+  EXPECT_EQ(after([&](Operators& o) { o.nodes.matrix.blocks[3].value[8] = nan; }), "nodes");
+  EXPECT_EQ(after([](Operators& o) { o.lists.pages[0] = 9; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.pages.pop_back(); }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.entries.back() = 0xfff0; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().mixed += 1; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().first_group += 1; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) {  // entries with codes, taken for single rays
+              GatherLists::List& list = o.lists.lists[0];
+              list.single += list.mixed;
+              list.mixed = 0;
+            }),
+            "gather lists");
+  EXPECT_EQ(after([](Operators& o) {
+              const NodeLists::List& list = o.node_lists.lists[0];
+              for (std::uint32_t k = 0; k < list.count; ++k) o.node_lists.entries[k].gap = 255;
+            }),
+            "node lists");
+  EXPECT_EQ(after([](Operators& o) { o.node_lists.lists[0].first = 1U << 31U; }), "node lists");
   EXPECT_EQ(after([](Operators& o) { o.node_lists.lists.pop_back(); }), "node lists");
   EXPECT_EQ(after([](Operators& o) { o.clusters.back().first_weight += 1; }), "weights");
   EXPECT_EQ(after([&](Operators& o) { o.weights[0] = std::numeric_limits<float>::infinity(); }),
@@ -69,8 +90,8 @@ float use(const Operators& o, std::size_t triangles) {
   }
   const SlotClusters of = slotClusters(o.texels.receivers);
   const std::vector<vec4> x(slots, vec4(1.0F));
-  const std::vector<vec4> b(o.nodes.stride + 2, vec4(1.0F));
-  const std::vector<std::uint8_t> lit(o.texels.receivers.clusters.size(), 1);
+  const std::vector<PatchLight> b(o.nodes.patches.size());
+  const std::vector<std::uint8_t> lit(slots / GatherLists::kPage + 1, 1);
   std::vector<vec4> y(o.lists.lists.size());
   gather(o.lists, 0, x, lit, y);
   if (!o.coarse) gatherNodes(o.node_lists, 0, b, y);
@@ -92,6 +113,10 @@ float use(const Operators& o, std::size_t triangles) {
   NodeSolver::Vectors coefficients(1, std::vector<float>(o.nodes.stride, 0.0F));
   NodeSolver::Vectors indirect;
   restrictToNodes(o.nodes, o.area, plane, coefficients[0]);
+  for (const Nodes::Patch& p : o.nodes.patches) {
+    const float* e = &plane[p.begin];
+    sum += restrictSent(o.nodes, p, o.area, {plane, plane, plane}, {e, e, e}).c[0].x;
+  }
   const std::vector<float> grey(slots, 0.5F);
   const std::span<const float> channel(grey);
   NodeSolver(o.nodes, o.area, std::span(&channel, 1)).solve(coefficients, indirect);
@@ -134,12 +159,16 @@ class Mutation {
 TEST(Inconsistency, WhatPassesCanBeUsed) {
   const std::size_t triangles = testing::roomMesh().triangles.size();
   std::mt19937 random(7);
+  std::size_t arrays = 0;
+  Records none;
+  Operators counted;
+  forEachArray(counted, none, [&](std::string_view, const auto&) { ++arrays; });
   int refused = 0;
   int used = 0;
   for (int i = 0; i < 3000; ++i) {
     Operators operators = smallBake();
     Records records = recordsOf(operators);
-    forEachArray(operators, records, Mutation(random, 39));
+    forEachArray(operators, records, Mutation(random, arrays));
     std::string trouble = applyRecords(records, operators);
     if (trouble.empty()) trouble = inconsistency(operators);
     // The number of mesh triangles is the caller's to compare (bakeOrLoad does).
