@@ -1,23 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/light/light_mask.h"
 
-#include "core/math/sampling.h"
-
-#include <bit>
-
 namespace soffit::light {
-
-float MaskLight::rowOffset(int row) {
-  // Centred van der Corput numbers: (bit-reversed j + 1/2)/16.
-  static const auto table = [] {
-    std::array<float, kRows> t{};
-    for (std::size_t j = 0; j < t.size(); ++j) {
-      t[j] = static_cast<float>(radicalInverse2(static_cast<std::uint32_t>(j)) + 0.5 / kRows);
-    }
-    return t;
-  }();
-  return table[static_cast<std::size_t>(row)];
-}
 
 vec3 MaskLight::sample(int row, int column) const {
   const float a = (static_cast<float>(column) + rowOffset(row)) / static_cast<float>(kColumns);

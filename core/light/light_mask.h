@@ -32,8 +32,11 @@ struct MaskLight {
   [[nodiscard]] vec3 sample(int row, int column) const;
   /// Sets cell_center and cell_count from the rest.
   void finish();
-  /// Offset o_j of row j, in [0, 1).
-  static float rowOffset(int row);
+  /// Offset o_j of row j, in [0, 1): centred van der Corput numbers, (bit-reversed j + 1/2)/16.
+  static constexpr float rowOffset(int row) {
+    const int reversed = (row & 1) << 3 | (row & 2) << 1 | (row & 4) >> 1 | (row & 8) >> 3;
+    return (static_cast<float>(reversed) + 0.5F) / kRows;
+  }
 };
 
 /// A parallelogram light without outline (all bits set), finished.
@@ -48,6 +51,8 @@ struct MaskBlocker {
   float d = 0.0F;
   bool solid = false;  ///< hides only what lies behind its front
 };
+
+class BlockerLanes;
 
 /// 16 receivers, structure of arrays.
 struct MaskReceivers {
@@ -64,10 +69,31 @@ struct MaskSums {
   alignas(64) std::array<float, 16> plain_total{};
 };
 
-/// Adds a parallelogram light's weights to `sums`. epsilon (m): receivers nearer than this to a
-/// blocker's plane are not hidden by it. Blockers must be clipped to the light's front.
-void addMaskVisibility(const MaskLight& light, std::span<const MaskBlocker* const> blockers,
-                       const MaskReceivers& receivers, float epsilon, MaskSums& sums);
+/// The shadow that blockers cast on 16 receivers, as bits of a parallelogram light.
+class MaskShadow {
+ public:
+  /// Refers to both; they must outlive it. Receivers not in `lanes` are left out.
+  MaskShadow(const MaskLight& light, const MaskReceivers& receivers);
+
+  /// Hides what lies behind the blockers; returns whether nothing of the light is seen any more.
+  /// epsilon (m): receivers nearer than this to a blocker's plane are not hidden by it. Blockers
+  /// must be clipped to the light's front. Their order does not matter.
+  bool hide(const BlockerLanes& blockers, float epsilon);
+
+  /// Adds the light's weights to `sums`.
+  void addTo(MaskSums& sums) const;
+
+  /// For the kernels: hidden bits by receiver and row, and the receivers that see some light yet.
+  struct State {
+    alignas(64) std::uint32_t hidden[16][MaskLight::kRows];
+    std::uint32_t open;
+  };
+
+ private:
+  const MaskLight& light_;
+  const MaskReceivers& receivers_;
+  State state_;
+};
 
 /// A light as points on its surface: any shape. weight: m^2 (or any measure); normal (0,0,0) where
 /// the emission has no cosine (measured photometry, point sources).

@@ -46,7 +46,7 @@ void AddPoints(const PointLightSamples& points, std::span<const MaskBlocker* con
   for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
     const V3 p{hn::LoadU(d, r.x + lane), hn::LoadU(d, r.y + lane), hn::LoadU(d, r.z + lane)};
     const V3 n{hn::LoadU(d, r.nx + lane), hn::LoadU(d, r.ny + lane), hn::LoadU(d, r.nz + lane)};
-    const M asked = lanesOf(r, lane);
+    const M asked = lanesOf(r.lanes, lane);
     if (hn::AllFalse(d, asked)) continue;
     V visible = hn::Zero(d);
     V total = hn::Zero(d);
