@@ -196,11 +196,15 @@ class Stage {
       std::fill(out, out + Receivers::kGroup, 0.0F);
       return false;
     }
-    if (light_.form() == PreparedLight::Form::facing && !candidates.empty() && spread(b)) {
-      return oneByOne(slot, r, lux, candidates, scratch, counts);
+    MaskLight face;
+    if (light_.form() == PreparedLight::Form::facing && !candidates.empty()) {
+      face = light_.facing(b.box.center());
+      if (spread(b) || seenAtGrazing(face, r)) {
+        return oneByOne(slot, r, lux, candidates, scratch, counts);
+      }
     }
     MaskSums sums;
-    if (candidates.empty() || !shade(b, r, distance, candidates, scratch, counts, sums)) {
+    if (candidates.empty() || !shade(b, r, distance, face, candidates, scratch, counts, sums)) {
       ++counts.groups_clear;
       for (std::size_t i = 0; i < lux.size(); ++i) out[i] = static_cast<float>(lux[i]);
       return true;
@@ -246,34 +250,43 @@ class Stage {
       MaskSums sums;
       r.lanes = 1U << i;
       const float distance = boxDistance(b.box, light_.emitter().bounds);
-      shade(b, r, distance, candidates, scratch, counts, sums);
+      shade(b, r, distance, light_.facing(b.box.center()), candidates, scratch, counts, sums);
       out = static_cast<float>(lux[i] * static_cast<double>(visibleShare(sums, i)));
       lit = lit || out > 0.0F;
     }
     return lit;
   }
 
-  /// What the group sees of the light. Returns false, and leaves the sums alone, when nothing is in
-  /// its way.
+  /// Whether a receiver is behind the face that a round light turns to the group, or sees it so
+  /// flat that no float tells what is in front of it: close to a tube's axis, beyond its ends.
+  [[nodiscard]] bool seenAtGrazing(const MaskLight& face, const MaskReceivers& r) const {
+    constexpr float kLeastSine = 0.02F;
+    for (std::uint32_t i = 0; i < Receivers::kGroup; ++i) {
+      if ((r.lanes >> i & 1U) == 0) continue;
+      const vec3 to = vec3(r.x[i], r.y[i], r.z[i]) - (face.origin + 0.5F * (face.u + face.v));
+      if (glm::dot(face.normal, to) < kLeastSine * glm::length(to)) return true;
+    }
+    return false;
+  }
+
+  /// What the group sees of the light. face: of a round light. Returns false, and leaves the sums
+  /// alone, when nothing is in its way.
   bool shade(const Receivers::Bounds& b, const MaskReceivers& r, float distance,
-             const BlockerLanes& candidates, Scratch& scratch, DirectCounts& counts,
-             MaskSums& sums) const {
-    if (light_.form() == PreparedLight::Form::points) {
+             const MaskLight& face, const BlockerLanes& candidates, Scratch& scratch,
+             DirectCounts& counts, MaskSums& sums) const {
+    const bool planar = light_.form() == PreparedLight::Form::planar;
+    // Points stand on the surface itself: they know what is before them however flat it is seen.
+    if (light_.form() == PreparedLight::Form::points ||
+        (light_.emitter().kind == EmitterKind::tube && seenAtGrazing(face, r))) {
       const std::size_t found = findBlockers(b, nullptr, candidates, nullptr, scratch);
       counts.blocker_tests += found;
       if (found > 0) addPoints(r, distance, scratch, sums);
       return found > 0;
     }
-    const bool planar = light_.form() == PreparedLight::Form::planar;
-    MaskLight facing;
-    std::span<const MaskLight> masks(&facing, 1);
-    if (planar) {
-      masks = light_.masks(light_.maskLevel(distance));
-    } else {
-      facing = light_.facing(b.box.center());
-    }
+    std::span<const MaskLight> masks(&face, 1);
+    if (planar) masks = light_.masks(light_.maskLevel(distance));
     const vec4 cut = planar ? vec4(plane_n_, plane_d_)
-                            : vec4(facing.normal, glm::dot(facing.normal, facing.origin));
+                            : vec4(face.normal, glm::dot(face.normal, face.origin));
     if (masks.size() == 1) {
       MaskShadow shadow(masks[0], r);
       const std::size_t found = findBlockers(b, &cut, candidates, &shadow, scratch);

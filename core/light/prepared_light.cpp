@@ -161,7 +161,7 @@ PreparedLight::PreparedLight(const Emitter& emitter) : emitter_(emitter) {
     const Frame f = boundingFrame(e);
     cell_diagonal_ = static_cast<float>(0.25 * std::sqrt(glm::dot(f.u, f.u) + glm::dot(f.v, f.v)));
   }
-  if (form_ == Form::points) prepareSamples();
+  if (form_ == Form::points || e.kind == EmitterKind::tube) prepareSamples();
 }
 
 std::span<const MaskLight> PreparedLight::masks(int level) const {
