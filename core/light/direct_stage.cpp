@@ -26,11 +26,9 @@ bool hasPlane(const Receivers::Bounds& b) {
 
 /// Scratch memory of one task, reused from cluster to cluster.
 struct Scratch {
-  BlockerLanes cluster;               ///< what may block light for the cluster
-  BlockerLanes section;               ///< for a few of its groups in a row
-  BlockerLanes group;                 ///< for the group, clipped to the front of the light
-  std::vector<MaskBlocker> unpacked;  ///< the same for the point form
-  std::vector<const MaskBlocker*> pointers;
+  BlockerLanes cluster;  ///< what may block light for the cluster
+  BlockerLanes section;  ///< for a few of its groups in a row
+  BlockerLanes group;    ///< for the group, clipped to the front of the light
 };
 
 /// Moves what hides most to the front: where all is hidden, the rest need not be looked at.
@@ -285,8 +283,8 @@ class Stage {
     }
     std::span<const MaskLight> masks(&face, 1);
     if (planar) masks = light_.masks(light_.maskLevel(distance));
-    const vec4 cut = planar ? vec4(plane_n_, plane_d_)
-                            : vec4(face.normal, glm::dot(face.normal, face.origin));
+    const vec4 cut =
+        planar ? vec4(plane_n_, plane_d_) : vec4(face.normal, glm::dot(face.normal, face.origin));
     if (masks.size() == 1) {
       MaskShadow shadow(masks[0], r);
       const std::size_t found = findBlockers(b, &cut, candidates, &shadow, scratch);
@@ -305,16 +303,11 @@ class Stage {
     return true;
   }
 
-  void addPoints(const MaskReceivers& r, float distance, Scratch& scratch, MaskSums& sums) const {
-    scratch.unpacked.clear();
-    for (std::size_t i = 0; i < scratch.group.size(); ++i) {
-      scratch.unpacked.push_back(scratch.group.at(i));
-    }
-    scratch.pointers.clear();
-    for (const MaskBlocker& b : scratch.unpacked) scratch.pointers.push_back(&b);
+  void addPoints(const MaskReceivers& r, float distance, const Scratch& scratch,
+                 MaskSums& sums) const {
     // Shadows want more points than the unoccluded light does.
     const int level = std::max(light_.sampleLevel(distance), 3);
-    addPointVisibility(light_.samples(level), scratch.pointers, r, epsilon_, sums);
+    addPointVisibility(light_.samples(level), scratch.group, r, epsilon_, sums);
   }
 
   const PreparedLight& light_;
@@ -362,9 +355,14 @@ MaskBlocker clipToFront(const MaskBlocker& blocker, const vec3& n, float d) {
   for (int i = 0; i < blocker.count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const auto next = static_cast<std::size_t>((i + 1) % blocker.count);
-    if (height[k] > 0.0F && out.count < 5)
+    // A corner on the plane stays and makes no crossing beside it: an edge without length would
+    // have no side, and the piece would hide nothing.
+    if (height[k] >= -tolerance && out.count < 5) {
       out.corners[static_cast<std::size_t>(out.count++)] = blocker.corners[k];
-    if ((height[k] > 0.0F) != (height[next] > 0.0F) && out.count < 5) {
+    }
+    const bool crosses = (height[k] > tolerance && height[next] < -tolerance) ||
+                         (height[k] < -tolerance && height[next] > tolerance);
+    if (crosses && out.count < 5) {
       const float t = height[k] / (height[k] - height[next]);
       out.corners[static_cast<std::size_t>(out.count++)] =
           blocker.corners[k] + t * (blocker.corners[next] - blocker.corners[k]);

@@ -41,4 +41,15 @@ MaskLight makeMaskLight(const vec3& origin, const vec3& u, const vec3& v, const 
   return light;
 }
 
+MaskLight placed(const MaskLight& unit, const vec3& origin, const vec3& u, const vec3& v,
+                 const vec3& normal) {
+  MaskLight light = unit;
+  light.origin = origin;
+  light.u = u;
+  light.v = v;
+  light.normal = normal;
+  for (vec3& c : light.cell_center) c = origin + c.x * u + c.y * v;
+  return light;
+}
+
 }  // namespace soffit::light

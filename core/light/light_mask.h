@@ -39,6 +39,11 @@ struct MaskLight {
   }
 };
 
+/// `unit`, a finished light on the square (0,0,0), (1,0,0), (0,1,0), laid over another
+/// parallelogram: its outline and cells without visiting their bits again.
+MaskLight placed(const MaskLight& unit, const vec3& origin, const vec3& u, const vec3& v,
+                 const vec3& normal);
+
 /// A parallelogram light without outline (all bits set), finished.
 MaskLight makeMaskLight(const vec3& origin, const vec3& u, const vec3& v, const vec3& normal, bool lambertian);
 
@@ -102,9 +107,15 @@ struct PointLightSamples {
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 
-/// The same sums for a light made of points; blockers beyond a point do not hide it.
-void addPointVisibility(const PointLightSamples& points, std::span<const MaskBlocker* const> blockers,
+/// The same sums for a light made of points; blockers beyond a point, or within epsilon in front
+/// of it, do not hide it. Runs of 16 points that lie together make it quick (orderByPlace).
+void addPointVisibility(const PointLightSamples& points, const BlockerLanes& blockers,
                         const MaskReceivers& receivers, float epsilon, MaskSums& sums);
+
+/// E/L under facets [first, end) that each are as good as a point, all of them with a normal, for
+/// 16 receivers; in float: some 1e-6 of the sum.
+void facetIrradiance16(const PointLightSamples& facets, std::size_t first,
+                       const MaskReceivers& receivers, float* value);
 
 /// Closed-form E/L of a planar polygon (relative orientation as in polygonIrradiance) for 16
 /// receivers in double precision; `clipped` gets a bit per receiver whose horizon cuts the

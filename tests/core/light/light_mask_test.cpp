@@ -70,9 +70,9 @@ bool hides(const MaskBlocker& b, const vec3& from, const vec3& to, bool& close) 
   return least > 0.0;
 }
 
-std::vector<const MaskBlocker*> pointers(const std::vector<MaskBlocker>& list) {
-  std::vector<const MaskBlocker*> out;
-  for (const MaskBlocker& b : list) out.push_back(&b);
+BlockerLanes lanesOf(const std::vector<MaskBlocker>& list) {
+  BlockerLanes out;
+  for (const MaskBlocker& b : list) out.push(b);
   return out;
 }
 
@@ -212,7 +212,7 @@ TEST(PointVisibility, CountsThePointsThatRaysCount) {
     const Group group(seed);
     const auto blockers = randomBlockers(200 + seed, 3, seed % 2 == 0);
     MaskSums sums;
-    addPointVisibility(points, pointers(blockers), group.receivers(), 1e-4F, sums);
+    addPointVisibility(points, lanesOf(blockers), group.receivers(), 1e-4F, sums);
     for (std::size_t i = 0; i < 16; ++i) {
       double visible = 0.0;
       double total = 0.0;
