@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/light/blocker_lanes.h"
 #include "core/light/box_tree.h"
 #include "core/light/light_mask.h"
 #include "core/light/shaft.h"
@@ -33,33 +35,23 @@ struct Blocker {
 /// A blocker in the form the kernels take.
 MaskBlocker maskBlocker(const Blocker& blocker);
 
-/// Static blockers, asked with shafts. Immutable.
+/// Blockers in a hierarchy, asked with shafts. Immutable.
 class Blockers {
  public:
   Blockers() = default;
   explicit Blockers(std::span<const Blocker> blockers);
+  explicit Blockers(std::span<const MaskBlocker> blockers);
 
-  [[nodiscard]] std::size_t size() const { return items_.size(); }
+  [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// Appends the parts of the hierarchy that are neither certainly outside the shaft nor turned
-  /// away from all of its `from` box: the place to start from for all shafts within it.
-  void collect(const Shaft& shaft, std::vector<BoxTree::Part>& out) const;
-
-  /// Who stands between a group of receivers and a light.
-  struct Found {
-    std::vector<const MaskBlocker*> whole;  ///< entirely in front of `cut`
-    std::vector<const MaskBlocker*> cut;    ///< partly: to be clipped
-  };
-  /// Replaces `out` by all blockers of `parts` that are neither certainly outside the shaft nor,
-  /// for solids, turned away from every point of `receivers`.
-  /// cut: (n, d) of a plane of which only the side n.x > d counts; null for none.
-  void find(std::span<const BoxTree::Part> parts, const Shaft& shaft, const Box& receivers,
-            const vec4* cut, Found& out) const;
+  /// Appends what may stand in the shaft's way: the blockers that filterBlock() keeps.
+  void collect(const Shaft& shaft, BlockerLanes& out) const;
 
  private:
-  std::vector<MaskBlocker> items_;  ///< in the order of the tree
-  std::vector<CullBlock> blocks_;   ///< the same, 16 by 16
-  BoxTree tree_;                    ///< of the blocks
+  std::size_t size_ = 0;
+  bool five_ = false;                 ///< whether any has five corners
+  std::vector<BlockerBlock> blocks_;  ///< in the order of the tree
+  BoxTree tree_;                      ///< of the blocks
 };
 
 }  // namespace soffit::light

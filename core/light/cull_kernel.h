@@ -5,20 +5,15 @@
 #include <cstdint>
 #include <span>
 
+#include "core/light/blocker_lanes.h"
 #include "core/math/box.h"
 #include "core/math/vec.h"
 
 namespace soffit::light {
 
-/// 16 blockers, structure of arrays: lane k belongs to blocker k.
-struct CullBlock {
-  static constexpr std::size_t kSize = 16;
-  static constexpr std::size_t kCorners = 4;
-  using Lanes = std::array<float, kSize>;
-
-  alignas(64) std::array<Lanes, kCorners> x{}, y{}, z{};  ///< corners; triangles repeat one
-  alignas(64) Lanes nx{}, ny{}, nz{};                     ///< front of solids; 0 for sheets
-  alignas(64) Lanes d{};                                  ///< of that plane; -1 for sheets
+/// 16 blockers of the static geometry, one column each; unused columns have no corners.
+struct BlockerBlock {
+  alignas(64) std::array<std::array<float, BlockerLanes::kBlock>, BlockerRow::kRows> rows{};
 };
 
 /// 16 boxes, structure of arrays; lanes that were not set are outside of everything.
@@ -48,16 +43,24 @@ struct BoxBlock {
 /// Bit k is set unless box k lies outside a plane (all of it n.x >= w).
 std::uint32_t cullBoxes(const BoxBlock& block, std::span<const vec4> planes);
 
-/// A bit per blocker.
-struct CullResult {
-  std::uint32_t whole = 0;  ///< survivors entirely in front of the cut
-  std::uint32_t cut = 0;    ///< survivors that reach behind it
+/// What a blocker must meet to stand between a box of receivers and a light.
+struct BlockerFilter {
+  Box hull;                      ///< outside are those that do not reach into it
+  std::span<const vec4> planes;  ///< outside is where all corners have n.x >= w
+  Box receivers;
+  Box light;
+  const vec4* cut = nullptr;  ///< (n, d): only what lies at n.x > d counts; null for none
 };
 
-/// Blockers survive unless they lie outside a plane (all corners n.x >= w), or are the face of a
-/// solid that shows its back to the whole box `receivers`.
-/// cut: (n, d), in front is n.x > d; null: all survivors count as whole.
-CullResult cullBlock(const CullBlock& block, std::span<const vec4> planes, const Box& receivers,
-                     const vec4* cut);
+/// Appends the blockers that may hide a part of the light from a receiver. Left out are those
+/// outside the hull or a plane; those whose own plane does not separate a receiver from a place of
+/// the light, faces of solids only with the receiver in front; and those that reach behind the cut,
+/// whose bits are returned. five: whether any may have five corners.
+std::uint32_t filterBlock(const BlockerBlock& in, bool five, const BlockerFilter& filter,
+                          BlockerLanes& out);
+
+/// The same for columns [first, first + 16) of a table; columns past its end are left out.
+std::uint32_t filterLanes(const BlockerLanes& in, std::size_t first, const BlockerFilter& filter,
+                          BlockerLanes& out);
 
 }  // namespace soffit::light

@@ -4,7 +4,7 @@
 #include "core/base/parallel.h"
 
 #include <algorithm>
-#include <atomic>
+#include <bit>
 #include <cmath>
 
 namespace soffit::light {
@@ -16,24 +16,62 @@ float boxDistance(const Box& a, const Box& b) {
 }
 
 float highest(const Box& b, const vec3& n) {
-  return (n.x > 0 ? b.hi.x : b.lo.x) * n.x + (n.y > 0 ? b.hi.y : b.lo.y) * n.y + (n.z > 0 ? b.hi.z : b.lo.z) * n.z;
+  return (n.x > 0 ? b.hi.x : b.lo.x) * n.x + (n.y > 0 ? b.hi.y : b.lo.y) * n.y +
+         (n.z > 0 ? b.hi.z : b.lo.z) * n.z;
 }
 
-bool hasPlane(const Receivers::Bounds& b) { return b.normal != vec3(0.0F); }
+bool hasPlane(const Receivers::Bounds& b) {
+  return b.normal != vec3(0.0F);
+}
 
 /// Scratch memory of one task, reused from cluster to cluster.
 struct Scratch {
-  std::vector<BoxTree::Part> parts;   ///< of the static blockers, for the cluster
-  std::vector<MaskBlocker> bodies;    ///< for the cluster
-  Blockers::Found found;              ///< for the group
-  std::vector<MaskBlocker> clipped;   ///< for the group
+  BlockerLanes cluster;  ///< what may block light for the cluster
+  BlockerLanes section;  ///< for a few of its groups in a row
+  BlockerLanes group;    ///< for the group, clipped to the front of the light
 };
+
+/// Moves what hides most to the front: where all is hidden, the rest need not be looked at.
+void putLargestFirst(const vec3& eye, BlockerLanes& blockers) {
+  constexpr std::size_t kFirst = BlockerLanes::kBlock;
+  if (blockers.size() <= kFirst) return;
+  thread_local std::vector<std::pair<float, std::uint32_t>> order;
+  order.clear();
+  for (std::size_t i = 0; i < blockers.size(); ++i) {
+    const auto number = [&](std::size_t row) { return blockers.row(row)[i]; };
+    const vec3 a(number(BlockerRow::kX), number(BlockerRow::kY), number(BlockerRow::kZ));
+    const vec3 c(number(BlockerRow::kX + 2), number(BlockerRow::kY + 2),
+                 number(BlockerRow::kZ + 2));
+    const vec3 to = 0.5F * (a + c) - eye;
+    const vec3 n(number(BlockerRow::kNx), number(BlockerRow::kNy), number(BlockerRow::kNz));
+    const float r2 = glm::dot(to, to) + 1e-4F;
+    const float size = number(BlockerRow::kArea) * std::abs(glm::dot(n, to)) / (r2 * std::sqrt(r2));
+    order.emplace_back(-size, static_cast<std::uint32_t>(i));
+  }
+  std::nth_element(order.begin(), order.begin() + kFirst, order.end());
+  // Those that belong to the front and are not there change places with those that are but do not.
+  std::size_t free = 0;
+  std::array<bool, kFirst> stays{};
+  for (std::size_t k = 0; k < kFirst; ++k) {
+    if (order[k].second < kFirst) stays[order[k].second] = true;
+  }
+  for (std::size_t k = 0; k < kFirst; ++k) {
+    if (order[k].second < kFirst) continue;
+    while (stays[free]) ++free;
+    blockers.swap(order[k].second, free++);
+  }
+}
 
 class Stage {
  public:
-  Stage(const PreparedLight& light, const Receivers& receivers, const Blockers& blockers, const DirectOptions& options,
-        std::span<float> lux)
-      : light_(light), receivers_(receivers), blockers_(blockers), options_(options), lux_(lux) {
+  Stage(const PreparedLight& light, const Receivers& receivers, const Blockers& blockers,
+        const DirectOptions& options, std::span<float> lux)
+      : light_(light),
+        receivers_(receivers),
+        blockers_(blockers),
+        bodies_(options.bodies),
+        epsilon_(options.epsilon),
+        lux_(lux) {
     const Emitter& e = light.emitter();
     one_sided_ = light.form() == PreparedLight::Form::planar;
     if (one_sided_) {
@@ -52,10 +90,15 @@ class Stage {
     }
     counts.points += c.used;
     collect(c.bounds, scratch);
-    if (nothing(scratch)) ++counts.clusters_clear;
+    if (scratch.cluster.empty()) ++counts.clusters_clear;
     bool lit = false;
-    for (std::uint32_t slot = c.begin; slot < c.end; slot += Receivers::kGroup) {
-      lit = group(slot, scratch, counts) || lit;
+    constexpr std::uint32_t kSection = 4 * Receivers::kGroup;
+    for (std::uint32_t begin = c.begin; begin < c.end; begin += kSection) {
+      const std::uint32_t end = std::min(c.end, begin + kSection);
+      const BlockerLanes& candidates = narrowed(begin, end, scratch);
+      for (std::uint32_t slot = begin; slot < end; slot += Receivers::kGroup) {
+        lit = group(slot, candidates, scratch, counts) || lit;
+      }
     }
     return lit;
   }
@@ -74,40 +117,68 @@ class Stage {
     return shaft;
   }
 
-  static bool nothing(const Scratch& scratch) { return scratch.parts.empty() && scratch.bodies.empty(); }
-
   void collect(const Receivers::Bounds& bounds, Scratch& scratch) const {
-    scratch.parts.clear();
-    scratch.bodies.clear();
+    scratch.cluster.clear();
     const Shaft shaft = shaftTo(bounds);
-    blockers_.collect(shaft, scratch.parts);
-    for (const MaskBlocker& body : options_.bodies) {
-      if (shaft.touches(std::span(body.corners.data(), static_cast<std::size_t>(body.count)))) {
-        scratch.bodies.push_back(body);
+    blockers_.collect(shaft, scratch.cluster);
+    if (bodies_.size() > 0) bodies_.collect(shaft, scratch.cluster);
+    putLargestFirst(bounds.box.center(), scratch.cluster);
+  }
+
+  /// The cluster's blockers that matter to the groups of slots [begin, end).
+  const BlockerLanes& narrowed(std::uint32_t begin, std::uint32_t end, Scratch& scratch) const {
+    // Few are as quickly culled group by group.
+    if (scratch.cluster.size() <= 2 * BlockerLanes::kBlock) return scratch.cluster;
+    Box box;
+    for (std::uint32_t slot = begin; slot < end; slot += Receivers::kGroup) {
+      box.add(receivers_.groups[slot / Receivers::kGroup].box);
+    }
+    const Shaft shaft = shaftTo({.box = box});
+    scratch.section.clear();
+    const BlockerFilter filter{shaft.hull(), shaft.slopes(), shaft.from(), shaft.to(), nullptr};
+    for (std::size_t k = 0; k < scratch.cluster.size(); k += BlockerLanes::kBlock) {
+      filterLanes(scratch.cluster, k, filter, scratch.section);
+    }
+    return scratch.section;
+  }
+
+  /// Finds what may hide a part of the light in front of `cut` from the group. Leaves it in
+  /// scratch.group, or, with a shadow, hands it over bit by bit until nothing is lit any more.
+  /// Returns how many it found.
+  std::size_t findBlockers(const Receivers::Bounds& b, const vec4* cut,
+                           const BlockerLanes& candidates, MaskShadow* shadow,
+                           Scratch& scratch) const {
+    const Shaft shaft = shaftTo(b);
+    std::size_t found = 0;
+    scratch.group.clear();
+    const auto flush = [&] {
+      found += scratch.group.size();
+      const bool dark = shadow->hide(scratch.group, epsilon_);
+      scratch.group.clear();
+      return dark;
+    };
+    const BlockerFilter filter{shaft.hull(), shaft.slopes(), shaft.from(), shaft.to(), cut};
+    for (std::size_t k = 0; k < candidates.size(); k += BlockerLanes::kBlock) {
+      std::uint32_t behind = filterLanes(candidates, k, filter, scratch.group);
+      for (; behind != 0; behind &= behind - 1) {
+        const auto i = k + static_cast<std::size_t>(std::countr_zero(behind));
+        const MaskBlocker front = clipToFront(candidates.at(i), vec3(*cut), cut->w);
+        if (front.count > 0) scratch.group.push(front);
+      }
+      if (shadow != nullptr && scratch.group.size() >= BlockerLanes::kBlock && flush()) {
+        return found;
       }
     }
+    if (shadow == nullptr) return scratch.group.size();
+    flush();
+    return found;
   }
 
-  /// Leaves in scratch.found.whole what may hide a part of the light in front of `cut` from the
-  /// group; pieces cut off are in scratch.clipped.
-  void findBlockers(const Receivers::Bounds& b, const vec4* cut, Scratch& scratch) const {
-    Blockers::Found& found = scratch.found;
-    blockers_.find(scratch.parts, shaftTo(b), b.box, cut, found);
-    for (const MaskBlocker& body : scratch.bodies) (cut != nullptr ? found.cut : found.whole).push_back(&body);
-    scratch.clipped.clear();
-    scratch.clipped.reserve(found.cut.size());  // pointers into it must hold
-    for (const MaskBlocker* const blocker : found.cut) {
-      const MaskBlocker front = clipToFront(*blocker, vec3(*cut), cut->w);
-      if (front.count == 0) continue;
-      scratch.clipped.push_back(front);
-      found.whole.push_back(&scratch.clipped.back());
-    }
-  }
-
-  bool group(std::uint32_t slot, Scratch& scratch, DirectCounts& counts) const {
+  bool group(std::uint32_t slot, const BlockerLanes& candidates, Scratch& scratch,
+             DirectCounts& counts) const {
     const Receivers::Bounds& b = receivers_.groups[slot / Receivers::kGroup];
     MaskReceivers r{&receivers_.x[slot],  &receivers_.y[slot],  &receivers_.z[slot],
-                          &receivers_.nx[slot], &receivers_.ny[slot], &receivers_.nz[slot]};
+                    &receivers_.nx[slot], &receivers_.ny[slot], &receivers_.nz[slot]};
     float* out = &lux_[slot];
     if (outOfSight(b)) {
       std::fill(out, out + Receivers::kGroup, 0.0F);
@@ -118,33 +189,24 @@ class Stage {
     light_.unoccluded(r, distance, lux.data());
     r.lanes = 0;
     for (std::size_t i = 0; i < lux.size(); ++i) r.lanes |= (lux[i] > 0.0 ? 1U : 0U) << i;
-    const bool any = r.lanes != 0;
-    if (any && light_.form() == PreparedLight::Form::facing && !nothing(scratch) && spread(b)) {
-      return oneByOne(slot, r, lux, scratch, counts);
+    if (r.lanes == 0) {
+      ++counts.groups_clear;
+      std::fill(out, out + Receivers::kGroup, 0.0F);
+      return false;
     }
-    scratch.found.whole.clear();
-    MaskLight facing;
-    if (any && !nothing(scratch)) {
-      if (one_sided_) {
-        const vec4 cut(plane_n_, plane_d_);
-        findBlockers(b, &cut, scratch);
-      } else if (light_.form() == PreparedLight::Form::facing) {
-        facing = light_.facing(b.box.center());
-        const vec4 cut(facing.normal, glm::dot(facing.normal, facing.origin));
-        findBlockers(b, &cut, scratch);
-      } else {
-        findBlockers(b, nullptr, scratch);
+    MaskLight face;
+    if (light_.form() == PreparedLight::Form::facing && !candidates.empty()) {
+      face = light_.facing(b.box.center());
+      if (spread(b) || seenAtGrazing(face, r)) {
+        return oneByOne(slot, r, lux, candidates, scratch, counts);
       }
     }
-    const std::span<const MaskBlocker* const> blockers = scratch.found.whole;
-    if (!any || blockers.empty()) {
+    MaskSums sums;
+    if (candidates.empty() || !shade(b, r, distance, face, candidates, scratch, counts, sums)) {
       ++counts.groups_clear;
       for (std::size_t i = 0; i < lux.size(); ++i) out[i] = static_cast<float>(lux[i]);
-      return any;
+      return true;
     }
-    counts.blocker_tests += blockers.size();
-    MaskSums sums;
-    visibility(facing, distance, r, blockers, sums);
     bool lit = false;
     for (std::size_t i = 0; i < lux.size(); ++i) {
       out[i] = static_cast<float>(lux[i] * static_cast<double>(visibleShare(sums, i)));
@@ -171,8 +233,8 @@ class Stage {
   }
 
   /// A group of a round light, each point with the face that is turned to it.
-  bool oneByOne(std::uint32_t slot, MaskReceivers r, const std::array<double, 16>& lux, Scratch& scratch,
-                DirectCounts& counts) const {
+  bool oneByOne(std::uint32_t slot, MaskReceivers r, const std::array<double, 16>& lux,
+                const BlockerLanes& candidates, Scratch& scratch, DirectCounts& counts) const {
     bool lit = false;
     const std::uint32_t lanes = r.lanes;
     for (std::uint32_t i = 0; i < Receivers::kGroup; ++i) {
@@ -183,41 +245,76 @@ class Stage {
       b.box.add(receivers_.position(slot + i));
       b.normal = receivers_.normal(slot + i);
       b.plane_min = glm::dot(b.normal, receivers_.position(slot + i));
-      const MaskLight facing = light_.facing(b.box.center());
-      const vec4 cut(facing.normal, glm::dot(facing.normal, facing.origin));
-      findBlockers(b, &cut, scratch);
-      counts.blocker_tests += scratch.found.whole.size();
       MaskSums sums;
       r.lanes = 1U << i;
-      visibility(facing, boxDistance(b.box, light_.emitter().bounds), r, scratch.found.whole, sums);
+      const float distance = boxDistance(b.box, light_.emitter().bounds);
+      shade(b, r, distance, light_.facing(b.box.center()), candidates, scratch, counts, sums);
       out = static_cast<float>(lux[i] * static_cast<double>(visibleShare(sums, i)));
       lit = lit || out > 0.0F;
     }
     return lit;
   }
 
-  void visibility(const MaskLight& facing, float distance, const MaskReceivers& r,
-                  std::span<const MaskBlocker* const> blockers, MaskSums& sums) const {
-    switch (light_.form()) {
-      case PreparedLight::Form::planar:
-        for (const MaskLight& mask : light_.masks(light_.maskLevel(distance))) {
-          addMaskVisibility(mask, blockers, r, options_.epsilon, sums);
-        }
-        return;
-      case PreparedLight::Form::facing: addMaskVisibility(facing, blockers, r, options_.epsilon, sums); return;
-      case PreparedLight::Form::points: {
-        // Shadows want more points than the unoccluded light does.
-        const int level = std::max(light_.sampleLevel(distance), 3);
-        addPointVisibility(light_.samples(level), blockers, r, options_.epsilon, sums);
-        return;
-      }
+  /// Whether a receiver is behind the face that a round light turns to the group, or sees it so
+  /// flat that no float tells what is in front of it: close to a tube's axis, beyond its ends.
+  [[nodiscard]] bool seenAtGrazing(const MaskLight& face, const MaskReceivers& r) const {
+    constexpr float kLeastSine = 0.02F;
+    for (std::uint32_t i = 0; i < Receivers::kGroup; ++i) {
+      if ((r.lanes >> i & 1U) == 0) continue;
+      const vec3 to = vec3(r.x[i], r.y[i], r.z[i]) - (face.origin + 0.5F * (face.u + face.v));
+      if (glm::dot(face.normal, to) < kLeastSine * glm::length(to)) return true;
     }
+    return false;
+  }
+
+  /// What the group sees of the light. face: of a round light. Returns false, and leaves the sums
+  /// alone, when nothing is in its way.
+  bool shade(const Receivers::Bounds& b, const MaskReceivers& r, float distance,
+             const MaskLight& face, const BlockerLanes& candidates, Scratch& scratch,
+             DirectCounts& counts, MaskSums& sums) const {
+    const bool planar = light_.form() == PreparedLight::Form::planar;
+    // Points stand on the surface itself: they know what is before them however flat it is seen.
+    if (light_.form() == PreparedLight::Form::points ||
+        (light_.emitter().kind == EmitterKind::tube && seenAtGrazing(face, r))) {
+      const std::size_t found = findBlockers(b, nullptr, candidates, nullptr, scratch);
+      counts.blocker_tests += found;
+      if (found > 0) addPoints(r, distance, scratch, sums);
+      return found > 0;
+    }
+    std::span<const MaskLight> masks(&face, 1);
+    if (planar) masks = light_.masks(light_.maskLevel(distance));
+    const vec4 cut =
+        planar ? vec4(plane_n_, plane_d_) : vec4(face.normal, glm::dot(face.normal, face.origin));
+    if (masks.size() == 1) {
+      MaskShadow shadow(masks[0], r);
+      const std::size_t found = findBlockers(b, &cut, candidates, &shadow, scratch);
+      counts.blocker_tests += found;
+      if (found > 0) shadow.addTo(sums);
+      return found > 0;
+    }
+    const std::size_t found = findBlockers(b, &cut, candidates, nullptr, scratch);
+    counts.blocker_tests += found;
+    if (found == 0) return false;
+    for (const MaskLight& mask : masks) {
+      MaskShadow shadow(mask, r);
+      shadow.hide(scratch.group, epsilon_);
+      shadow.addTo(sums);
+    }
+    return true;
+  }
+
+  void addPoints(const MaskReceivers& r, float distance, const Scratch& scratch,
+                 MaskSums& sums) const {
+    // Shadows want more points than the unoccluded light does.
+    const int level = std::max(light_.sampleLevel(distance), 3);
+    addPointVisibility(light_.samples(level), scratch.group, r, epsilon_, sums);
   }
 
   const PreparedLight& light_;
   const Receivers& receivers_;
   const Blockers& blockers_;
-  const DirectOptions& options_;
+  Blockers bodies_;
+  float epsilon_;
   std::span<float> lux_;
   bool one_sided_ = false;
   vec3 plane_n_{0.0F};
@@ -258,8 +355,14 @@ MaskBlocker clipToFront(const MaskBlocker& blocker, const vec3& n, float d) {
   for (int i = 0; i < blocker.count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const auto next = static_cast<std::size_t>((i + 1) % blocker.count);
-    if (height[k] > 0.0F && out.count < 5) out.corners[static_cast<std::size_t>(out.count++)] = blocker.corners[k];
-    if ((height[k] > 0.0F) != (height[next] > 0.0F) && out.count < 5) {
+    // A corner on the plane stays and makes no crossing beside it: an edge without length would
+    // have no side, and the piece would hide nothing.
+    if (height[k] >= -tolerance && out.count < 5) {
+      out.corners[static_cast<std::size_t>(out.count++)] = blocker.corners[k];
+    }
+    const bool crosses = (height[k] > tolerance && height[next] < -tolerance) ||
+                         (height[k] < -tolerance && height[next] > tolerance);
+    if (crosses && out.count < 5) {
       const float t = height[k] / (height[k] - height[next]);
       out.corners[static_cast<std::size_t>(out.count++)] =
           blocker.corners[k] + t * (blocker.corners[next] - blocker.corners[k]);
@@ -268,9 +371,9 @@ MaskBlocker clipToFront(const MaskBlocker& blocker, const vec3& n, float d) {
   return out;
 }
 
-void directIlluminance(const PreparedLight& light, const Receivers& receivers, const Blockers& blockers,
-                       const DirectOptions& options, std::span<float> lux, std::span<std::uint8_t> lit,
-                       DirectCounts* counts) {
+void directIlluminance(const PreparedLight& light, const Receivers& receivers,
+                       const Blockers& blockers, const DirectOptions& options, std::span<float> lux,
+                       std::span<std::uint8_t> lit, DirectCounts* counts) {
   const Stage stage(light, receivers, blockers, options, lux);
   constexpr std::size_t kGrain = 4;
   std::vector<DirectCounts> tallies(receivers.clusters.size() / kGrain + 1);

@@ -41,9 +41,9 @@ HWY_INLINE V3 cross(const V3& a, const V3& b) {
           hn::NegMulAdd(a.y, b.x, hn::Mul(a.x, b.y))};
 }
 
-/// Lanes [lane, lane + Lanes(d)) of r.lanes as a mask.
-HWY_INLINE M lanesOf(const MaskReceivers& r, std::size_t lane) {
-  const std::uint32_t bits = r.lanes >> lane;
+/// Bits [lane, lane + Lanes(d)) as a mask.
+HWY_INLINE M lanesOf(std::uint32_t lanes, std::size_t lane) {
+  const std::uint32_t bits = lanes >> lane;
   const std::uint8_t packed[8] = {static_cast<std::uint8_t>(bits & 255U),
                                   static_cast<std::uint8_t>(bits >> 8U)};
   return hn::LoadMaskBits(d, packed);

@@ -1,23 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/light/light_mask.h"
 
-#include "core/math/sampling.h"
-
-#include <bit>
-
 namespace soffit::light {
-
-float MaskLight::rowOffset(int row) {
-  // Centred van der Corput numbers: (bit-reversed j + 1/2)/16.
-  static const auto table = [] {
-    std::array<float, kRows> t{};
-    for (std::size_t j = 0; j < t.size(); ++j) {
-      t[j] = static_cast<float>(radicalInverse2(static_cast<std::uint32_t>(j)) + 0.5 / kRows);
-    }
-    return t;
-  }();
-  return table[static_cast<std::size_t>(row)];
-}
 
 vec3 MaskLight::sample(int row, int column) const {
   const float a = (static_cast<float>(column) + rowOffset(row)) / static_cast<float>(kColumns);
@@ -54,6 +38,17 @@ MaskLight makeMaskLight(const vec3& origin, const vec3& u, const vec3& v, const 
   light.lambertian = lambertian;
   light.outline.fill(0xffffffffU);
   light.finish();
+  return light;
+}
+
+MaskLight placed(const MaskLight& unit, const vec3& origin, const vec3& u, const vec3& v,
+                 const vec3& normal) {
+  MaskLight light = unit;
+  light.origin = origin;
+  light.u = u;
+  light.v = v;
+  light.normal = normal;
+  for (vec3& c : light.cell_center) c = origin + c.x * u + c.y * v;
   return light;
 }
 

@@ -32,9 +32,17 @@ struct MaskLight {
   [[nodiscard]] vec3 sample(int row, int column) const;
   /// Sets cell_center and cell_count from the rest.
   void finish();
-  /// Offset o_j of row j, in [0, 1).
-  static float rowOffset(int row);
+  /// Offset o_j of row j, in [0, 1): centred van der Corput numbers, (bit-reversed j + 1/2)/16.
+  static constexpr float rowOffset(int row) {
+    const int reversed = (row & 1) << 3 | (row & 2) << 1 | (row & 4) >> 1 | (row & 8) >> 3;
+    return (static_cast<float>(reversed) + 0.5F) / kRows;
+  }
 };
+
+/// `unit`, a finished light on the square (0,0,0), (1,0,0), (0,1,0), laid over another
+/// parallelogram: its outline and cells without visiting their bits again.
+MaskLight placed(const MaskLight& unit, const vec3& origin, const vec3& u, const vec3& v,
+                 const vec3& normal);
 
 /// A parallelogram light without outline (all bits set), finished.
 MaskLight makeMaskLight(const vec3& origin, const vec3& u, const vec3& v, const vec3& normal, bool lambertian);
@@ -48,6 +56,8 @@ struct MaskBlocker {
   float d = 0.0F;
   bool solid = false;  ///< hides only what lies behind its front
 };
+
+class BlockerLanes;
 
 /// 16 receivers, structure of arrays.
 struct MaskReceivers {
@@ -64,10 +74,31 @@ struct MaskSums {
   alignas(64) std::array<float, 16> plain_total{};
 };
 
-/// Adds a parallelogram light's weights to `sums`. epsilon (m): receivers nearer than this to a
-/// blocker's plane are not hidden by it. Blockers must be clipped to the light's front.
-void addMaskVisibility(const MaskLight& light, std::span<const MaskBlocker* const> blockers,
-                       const MaskReceivers& receivers, float epsilon, MaskSums& sums);
+/// The shadow that blockers cast on 16 receivers, as bits of a parallelogram light.
+class MaskShadow {
+ public:
+  /// Refers to both; they must outlive it. Receivers not in `lanes` are left out.
+  MaskShadow(const MaskLight& light, const MaskReceivers& receivers);
+
+  /// Hides what lies behind the blockers; returns whether nothing of the light is seen any more.
+  /// epsilon (m): receivers nearer than this to a blocker's plane are not hidden by it. Blockers
+  /// must be clipped to the light's front. Their order does not matter.
+  bool hide(const BlockerLanes& blockers, float epsilon);
+
+  /// Adds the light's weights to `sums`.
+  void addTo(MaskSums& sums) const;
+
+  /// For the kernels: hidden bits by receiver and row, and the receivers that see some light yet.
+  struct State {
+    alignas(64) std::uint32_t hidden[16][MaskLight::kRows];
+    std::uint32_t open;
+  };
+
+ private:
+  const MaskLight& light_;
+  const MaskReceivers& receivers_;
+  State state_;
+};
 
 /// A light as points on its surface: any shape. weight: m^2 (or any measure); normal (0,0,0) where
 /// the emission has no cosine (measured photometry, point sources).
@@ -76,9 +107,15 @@ struct PointLightSamples {
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 
-/// The same sums for a light made of points; blockers beyond a point do not hide it.
-void addPointVisibility(const PointLightSamples& points, std::span<const MaskBlocker* const> blockers,
+/// The same sums for a light made of points; blockers beyond a point, or within epsilon in front
+/// of it, do not hide it. Runs of 16 points that lie together make it quick (orderByPlace).
+void addPointVisibility(const PointLightSamples& points, const BlockerLanes& blockers,
                         const MaskReceivers& receivers, float epsilon, MaskSums& sums);
+
+/// E/L under facets [first, end) that each are as good as a point, all of them with a normal, for
+/// 16 receivers; in float: some 1e-6 of the sum.
+void facetIrradiance16(const PointLightSamples& facets, std::size_t first,
+                       const MaskReceivers& receivers, float* value);
 
 /// Closed-form E/L of a planar polygon (relative orientation as in polygonIrradiance) for 16
 /// receivers in double precision; `clipped` gets a bit per receiver whose horizon cuts the

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/light/prepared_light.h"
 
+#include "core/light/box_tree.h"
 #include "core/light/emitter_sampling.h"
 #include "core/light/polygon_irradiance.h"
+#include "core/light/receivers.h"
 #include "core/math/sampling.h"
 
 #include <algorithm>
@@ -13,6 +15,10 @@ namespace {
 
 /// Lambertian meshes of at most this many triangles are summed in closed form.
 constexpr std::size_t kExactTriangles = 48;
+
+/// A triangle of at most this share of its distance is as good as a point: the whole mesh then errs
+/// by less than 3e-4 (prepared_light_test).
+constexpr float kFacetShare = 0.12F;
 
 /// Even-odd test of a point in the plane coordinates of an outline.
 bool insideOutline(std::span<const dvec2> outline, const dvec2& p) {
@@ -76,25 +82,50 @@ void setOutlineBits(const Emitter& e, MaskLight& mask) {
   }
 }
 
+MaskLight unitSquare() {
+  return makeMaskLight(vec3(0.0F), vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1), true);
+}
+
+/// The disk that touches the sides of the unit square.
+MaskLight unitDisk() {
+  MaskLight mask = unitSquare();
+  for (int j = 0; j < MaskLight::kRows; ++j) {
+    std::uint32_t bits = 0;
+    for (int i = 0; i < MaskLight::kColumns; ++i) {
+      const vec3 d = mask.sample(j, i) - vec3(0.5F, 0.5F, 0.0F);
+      if (glm::dot(d, d) <= 0.25F) bits |= 1U << static_cast<unsigned>(i);
+    }
+    mask.outline[static_cast<std::size_t>(j)] = bits;
+  }
+  mask.finish();
+  return mask;
+}
+
 bool isParallelogram(const Emitter& e, const Frame& f) {
   if (e.disk || e.outline.size() != 4) return false;
   return std::abs(e.area - glm::length(glm::cross(f.u, f.v))) <= 1e-9 * e.area;
 }
 
-/// N points by area, low-discrepancy; `weight` shares the area evenly.
+/// N points by area, low-discrepancy, neighbours together; `weight` shares the area evenly.
 PointLightSamples samplesByArea(const Emitter& e, int count) {
-  PointLightSamples s;
+  std::vector<EmitterSample> found;
+  std::vector<vec3> places;
   for (int i = 0; i < count; ++i) {
     const dvec2 u = count == 1 ? dvec2(0.5) : r2Sequence(static_cast<std::uint32_t>(i));
-    const EmitterSample sample = sampleByArea(e, u);
-    s.x.push_back(static_cast<float>(sample.point.x));
-    s.y.push_back(static_cast<float>(sample.point.y));
-    s.z.push_back(static_cast<float>(sample.point.z));
+    found.push_back(sampleByArea(e, u));
+    places.emplace_back(found.back().point);
+  }
+  PointLightSamples s;
+  for (const std::uint32_t i : orderByPlace(places)) {
+    s.x.push_back(places[i].x);
+    s.y.push_back(places[i].y);
+    s.z.push_back(places[i].z);
     // Without a cosine at the light (measured photometry, point sources) the normal is zero.
     const bool cosine = e.lambertian && e.kind != EmitterKind::point;
-    s.nx.push_back(cosine ? static_cast<float>(sample.normal.x) : 0.0F);
-    s.ny.push_back(cosine ? static_cast<float>(sample.normal.y) : 0.0F);
-    s.nz.push_back(cosine ? static_cast<float>(sample.normal.z) : 0.0F);
+    const vec3 n = cosine ? vec3(found[i].normal) : vec3(0.0F);
+    s.nx.push_back(n.x);
+    s.ny.push_back(n.y);
+    s.nz.push_back(n.z);
     s.weight.push_back(static_cast<float>((e.kind == EmitterKind::point ? 1.0 : e.area) / count));
   }
   return s;
@@ -161,7 +192,8 @@ PreparedLight::PreparedLight(const Emitter& emitter) : emitter_(emitter) {
     const Frame f = boundingFrame(e);
     cell_diagonal_ = static_cast<float>(0.25 * std::sqrt(glm::dot(f.u, f.u) + glm::dot(f.v, f.v)));
   }
-  if (form_ == Form::points) prepareSamples();
+  if (e.kind == EmitterKind::mesh && e.lambertian && !exact_) prepareFacets();
+  if (form_ == Form::points || e.kind == EmitterKind::tube) prepareSamples();
 }
 
 std::span<const MaskLight> PreparedLight::masks(int level) const {
@@ -196,6 +228,54 @@ void PreparedLight::prepareSamples() {
     const int count = emitter_.kind == EmitterKind::point ? 1 : 1 << (2 * level);
     samples_[static_cast<std::size_t>(level)] = samplesByArea(emitter_, count);
   }
+}
+
+void PreparedLight::prepareFacets() {
+  const Emitter& e = emitter_;
+  const auto corner = [&](std::uint32_t t, std::size_t k) { return e.corners[std::size_t{3} * t + k]; };
+  std::vector<float> extents;
+  for (std::uint32_t t = 0; t < e.triangle_areas.size(); ++t) {
+    Box box;
+    for (std::size_t k = 0; k < 3; ++k) box.add(vec3(corner(t, k)));
+    extents.push_back(box.diagonal());
+    facets_.order.push_back(t);
+  }
+  std::sort(facets_.order.begin(), facets_.order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return extents[a] > extents[b] || (extents[a] == extents[b] && a < b);
+  });
+  PointLightSamples& s = facets_.points;
+  for (const std::uint32_t t : facets_.order) {
+    facets_.extent.push_back(extents[t]);
+    const vec3 center((corner(t, 0) + corner(t, 1) + corner(t, 2)) / 3.0);
+    const vec3 n(e.triangle_normals[t]);
+    s.x.push_back(center.x);
+    s.y.push_back(center.y);
+    s.z.push_back(center.z);
+    s.nx.push_back(n.x);
+    s.ny.push_back(n.y);
+    s.nz.push_back(n.z);
+    s.weight.push_back(static_cast<float>(e.triangle_areas[t]));
+  }
+}
+
+double PreparedLight::nearFacets(std::size_t count, const dvec3& p, const dvec3& n) const {
+  const Emitter& e = emitter_;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t t = facets_.order[i];
+    const std::span<const dvec3> corners(e.corners.data() + std::size_t{3} * t, 3);
+    const dvec3 to = (corners[0] + corners[1] + corners[2]) / 3.0 - p;
+    const double cos_l = -glm::dot(to, e.triangle_normals[t]);
+    if (cos_l <= 0.0) continue;
+    const double r2 = glm::dot(to, to);
+    const auto reach = static_cast<double>(facets_.extent[i] / kFacetShare);
+    if (r2 < reach * reach) {
+      sum += polygonIrradiance(corners, p, n);
+    } else {
+      sum += e.triangle_areas[t] * std::max(0.0, glm::dot(to, n)) * cos_l / (r2 * r2);
+    }
+  }
+  return sum;
 }
 
 int PreparedLight::maskLevel(float distance) const {
@@ -237,17 +317,8 @@ MaskLight PreparedLight::facing(const vec3& eye) const {
     vec3 t;
     vec3 b;
     orthonormalBasis(n, t, b);
-    MaskLight mask = makeMaskLight(middle - rim * (t + b), 2.0F * rim * t, 2.0F * rim * b, n, true);
-    for (int j = 0; j < MaskLight::kRows; ++j) {
-      std::uint32_t bits = 0;
-      for (int i = 0; i < MaskLight::kColumns; ++i) {
-        const vec3 d = mask.sample(j, i) - middle;
-        if (glm::dot(d, d) <= rim * rim) bits |= 1U << static_cast<unsigned>(i);
-      }
-      mask.outline[static_cast<std::size_t>(j)] = bits;
-    }
-    mask.finish();
-    return mask;
+    static const MaskLight unit = unitDisk();
+    return placed(unit, middle - rim * (t + b), 2.0F * rim * t, 2.0F * rim * b, n);
   }
   // Tube: the rectangle between its two tangent lines.
   const vec3 axis(emitter_.axis);
@@ -260,7 +331,9 @@ MaskLight PreparedLight::facing(const vec3& eye) const {
   const vec3 side = glm::cross(axis, radial);
   const auto half = static_cast<float>(emitter_.half_length);
   const vec3 middle = center + radial * (radius * share);
-  return makeMaskLight(middle - half * axis - rim * side, 2.0F * half * axis, 2.0F * rim * side, radial, true);
+  static const MaskLight unit = unitSquare();
+  return placed(unit, middle - half * axis - rim * side, 2.0F * half * axis, 2.0F * rim * side,
+                radial);
 }
 
 void PreparedLight::unoccluded(const MaskReceivers& r, float distance, double* lux) const {
@@ -277,6 +350,21 @@ void PreparedLight::unoccluded(const MaskReceivers& r, float distance, double* l
       } else {
         lux[i] *= e.luminance;
       }
+    }
+    return;
+  }
+  if (!facets_.order.empty()) {
+    // The largest come first: those that may be too large for where the group is.
+    const auto large = std::partition_point(
+        facets_.extent.begin(), facets_.extent.end(),
+        [&](float extent) { return extent > kFacetShare * distance; });
+    const auto count = static_cast<std::size_t>(large - facets_.extent.begin());
+    std::array<float, 16> far{};
+    facetIrradiance16(facets_.points, count, r, far.data());
+    for (std::uint32_t i = 0; i < 16; ++i) {
+      const dvec3 p(r.x[i], r.y[i], r.z[i]);
+      const dvec3 n(r.nx[i], r.ny[i], r.nz[i]);
+      lux[i] = e.luminance * (static_cast<double>(far[i]) + nearFacets(count, p, n));
     }
     return;
   }

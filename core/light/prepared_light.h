@@ -56,12 +56,22 @@ class PreparedLight {
   };
   void makeMasks(int level) const;
   void prepareSamples();
+  void prepareFacets();
+  /// E/L of the first `count` facets: as triangles where they are near, else as points.
+  [[nodiscard]] double nearFacets(std::size_t count, const dvec3& p, const dvec3& n) const;
 
   Emitter emitter_;
   Form form_ = Form::points;
   std::shared_ptr<Masks> masks_ = std::make_shared<Masks>();
   float cell_diagonal_ = 0.0F;  ///< of level 0
   std::array<PointLightSamples, kSampleLevels> samples_;
+  /// A large mesh's triangles as points at their centroids, the largest first.
+  struct Facets {
+    std::vector<std::uint32_t> order;  ///< triangles
+    std::vector<float> extent;         ///< m, in that order
+    PointLightSamples points;          ///< in that order
+  };
+  Facets facets_;
   bool exact_ = false;  ///< a closed form exists and is used
 };
 

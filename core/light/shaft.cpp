@@ -6,7 +6,7 @@
 
 namespace soffit::light {
 
-Shaft::Shaft(const Box& from, const Box& to) : from_(from) {
+Shaft::Shaft(const Box& from, const Box& to) : from_(from), to_(to) {
   Box hull = from;
   hull.add(to);
   const float reach = std::max(glm::length(hull.lo), glm::length(hull.hi));

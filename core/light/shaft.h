@@ -28,6 +28,16 @@ class Shaft {
   [[nodiscard]] bool touches(std::span<const vec3> corners) const;
 
   [[nodiscard]] const Box& from() const { return from_; }
+  [[nodiscard]] const Box& to() const { return to_; }
+  /// The box about both, reduced by the tolerance: it stands for the first six planes.
+  [[nodiscard]] Box hull() const {
+    Box box;
+    box.lo = {-planes_[1].w, -planes_[3].w, -planes_[5].w};
+    box.hi = {planes_[0].w, planes_[2].w, planes_[4].w};
+    return box;
+  }
+  /// All but those six.
+  [[nodiscard]] std::span<const vec4> slopes() const { return planes().subspan(6); }
   /// (n, d): outside is n.x >= d, d already reduced by the tolerance.
   [[nodiscard]] std::span<const vec4> planes() const {
     return {planes_.data(), static_cast<std::size_t>(count_)};
@@ -35,6 +45,7 @@ class Shaft {
 
  private:
   Box from_;
+  Box to_;
   std::array<vec4, kMaxPlanes> planes_{};  // (n, d), d already reduced by the tolerance
   int count_ = 0;
   float tolerance_ = 0.0F;

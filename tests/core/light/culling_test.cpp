@@ -132,71 +132,105 @@ TEST(CullBoxes, AgreesWithAPlainLoop) {
   EXPECT_GT(kept, 300);
 }
 
-TEST(CullBlock, AgreesWithAPlainLoop) {
+/// Heights of a box's corners over a blocker's plane: the least and the highest.
+std::pair<double, double> heights(const MaskBlocker& b, const Box& box) {
+  double least = 1e300;
+  double most = -1e300;
+  for (std::size_t c = 0; c < 8; ++c) {
+    const dvec3 corner(c & 1U ? box.hi.x : box.lo.x, c & 2U ? box.hi.y : box.lo.y,
+                       c & 4U ? box.hi.z : box.lo.z);
+    const double h = glm::dot(dvec3(b.normal), corner) - static_cast<double>(b.d);
+    least = std::min(least, h);
+    most = std::max(most, h);
+  }
+  return {least, most};
+}
+
+TEST(Filter, AgreesWithAPlainLoop) {
   Rng rng(4);
-  int whole = 0;
-  int cut_count = 0;
-  for (int i = 0; i < 300; ++i) {
-    CullBlock block;
-    std::vector<std::array<vec3, 4>> corners(CullBlock::kSize);
-    std::vector<bool> solid(CullBlock::kSize);
-    for (std::size_t k = 0; k < CullBlock::kSize; ++k) {
+  std::size_t kept = 0;
+  std::size_t cut_count = 0;
+  for (int i = 0; i < 600; ++i) {
+    BlockerLanes in;
+    const std::size_t size = 1 + static_cast<std::size_t>(i) % 40;
+    for (std::size_t k = 0; k < size; ++k) {
+      MaskBlocker b;
       const vec3 p = randomPoint(rng, 10.0F);
       for (int c = 0; c < 3; ++c)
-        corners[k][static_cast<std::size_t>(c)] = p + randomPoint(rng, 1.0F);
-      corners[k][3] = corners[k][2];
-      for (std::size_t c = 0; c < 4; ++c) {
-        block.x[c][k] = corners[k][c].x;
-        block.y[c][k] = corners[k][c].y;
-        block.z[c][k] = corners[k][c].z;
+        b.corners[static_cast<std::size_t>(c)] = p + randomPoint(rng, 2.0F);
+      b.normal =
+          glm::normalize(glm::cross(b.corners[1] - b.corners[0], b.corners[2] - b.corners[0]));
+      b.d = glm::dot(b.normal, b.corners[0]);
+      b.solid = k % 3 == 0;
+      if (i % 2 == 0) {  // a parallelogram, or one with a corner cut off
+        b.corners[3] = b.corners[0] + b.corners[2] - b.corners[1];
+        b.count = 4;
+        if (i % 4 == 0) {
+          b.corners[4] = glm::mix(b.corners[3], b.corners[0], 0.6F);
+          b.corners[3] = glm::mix(b.corners[3], b.corners[2], 0.6F);
+          b.count = 5;
+        }
       }
-      solid[k] = k % 3 == 0;
-      const vec3 n =
-          glm::normalize(glm::cross(corners[k][1] - corners[k][0], corners[k][2] - corners[k][0]));
-      block.nx[k] = solid[k] ? n.x : 0.0F;
-      block.ny[k] = solid[k] ? n.y : 0.0F;
-      block.nz[k] = solid[k] ? n.z : 0.0F;
-      block.d[k] = solid[k] ? glm::dot(n, corners[k][0]) : -1.0F;
+      in.push(b);
     }
-    const auto planes = randomPlanes(rng, 3);
-    const Box receivers = randomBox(rng, 1.0F);
+    const auto planes = randomPlanes(rng, i % 4);
     const vec4 cut = randomPlanes(rng, 1)[0];
-    const CullResult all = cullBlock(block, planes, receivers, nullptr);
-    const CullResult found = cullBlock(block, planes, receivers, &cut);
-    EXPECT_EQ(all.cut, 0U);
-    EXPECT_EQ(found.whole & found.cut, 0U);
-    EXPECT_EQ(found.whole | found.cut, all.whole);
-    for (std::size_t k = 0; k < CullBlock::kSize; ++k) {
+    BlockerFilter filter{boxAround(vec3(5), vec3(4)), planes, randomBox(rng, 1.0F),
+                         randomBox(rng, 1.0F), i % 5 == 0 ? nullptr : &cut};
+    BlockerLanes out;
+    std::vector<std::size_t> behind_found;
+    for (std::size_t first = 0; first < size; first += BlockerLanes::kBlock) {
+      const std::uint32_t bits = filterLanes(in, first, filter, out);
+      for (std::size_t k = 0; k < 32; ++k) {
+        if ((bits >> k & 1U) != 0U) behind_found.push_back(first + k);
+      }
+    }
+    std::vector<vec3> expected;
+    std::vector<std::size_t> behind_expected;
+    bool any_close = false;
+    for (std::size_t k = 0; k < size; ++k) {
+      const MaskBlocker b = in.at(k);
+      const std::span corners(b.corners.data(), static_cast<std::size_t>(b.count));
       bool close = false;
       bool gone = false;
-      for (const vec4& plane : planes) gone = outside(corners[k], plane, close) || gone;
-      if (solid[k]) {
-        // Its back to all of the box: every corner of the box is behind or on its plane.
-        const dvec3 n(block.nx[k], block.ny[k], block.nz[k]);
-        double highest = -1e300;
-        for (std::size_t c = 0; c < 8; ++c) {
-          const dvec3 corner(c & 1U ? receivers.hi.x : receivers.lo.x,
-                             c & 2U ? receivers.hi.y : receivers.lo.y,
-                             c & 4U ? receivers.hi.z : receivers.lo.z);
-          highest = std::max(highest, glm::dot(n, corner) - static_cast<double>(block.d[k]));
-        }
-        close = close || std::abs(highest) < 1e-5;
-        gone = gone || highest <= 0.0;
+      for (const vec4& plane : planes) gone = outside(corners, plane, close) || gone;
+      for (int axis = 0; axis < 3; ++axis) {
+        vec4 side(0.0F);
+        side[axis] = 1.0F;
+        side.w = filter.hull.hi[axis];
+        gone = outside(corners, side, close) || gone;
+        side[axis] = -1.0F;
+        side.w = -filter.hull.lo[axis];
+        gone = outside(corners, side, close) || gone;
+      }
+      const auto [receivers_lo, receivers_hi] = heights(b, filter.receivers);
+      const auto [light_lo, light_hi] = heights(b, filter.light);
+      const bool front = receivers_hi > 0 && light_lo < 0;
+      const bool back = receivers_lo < 0 && light_hi > 0;
+      gone = gone || !(front || (back && !b.solid));
+      for (const double h : {receivers_lo, receivers_hi, light_lo, light_hi}) {
+        close = close || std::abs(h) < 1e-5;
       }
       bool behind = false;
       double least = 1e300;
-      for (const vec3& c : corners[k]) least = std::min(least, glm::dot(dvec3(cut), dvec3(c)));
-      behind = least <= static_cast<double>(cut.w);
+      for (const vec3& c : corners) least = std::min(least, glm::dot(dvec3(cut), dvec3(c)));
+      behind = filter.cut != nullptr && least <= static_cast<double>(cut.w);
       close = close || std::abs(least - static_cast<double>(cut.w)) < 1e-5;
-      if (close) continue;
-      EXPECT_EQ((found.whole >> k & 1U) != 0U, !gone && !behind);
-      EXPECT_EQ((found.cut >> k & 1U) != 0U, !gone && behind);
-      whole += !gone && !behind ? 1 : 0;
-      cut_count += !gone && behind ? 1 : 0;
+      any_close = any_close || close;
+      if (gone) continue;
+      if (behind) behind_expected.push_back(k);
+      if (!behind) expected.push_back(b.corners[0]);
     }
+    if (any_close) continue;
+    std::vector<vec3> found;
+    for (std::size_t k = 0; k < out.size(); ++k) found.push_back(out.at(k).corners[0]);
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(behind_found, behind_expected);
+    kept += found.size();
+    cut_count += behind_found.size();
   }
-  EXPECT_GT(whole, 100);
-  EXPECT_GT(cut_count, 100);
+  EXPECT_GT(kept, 100U);
+  EXPECT_GT(cut_count, 100U);
 }
 
 TEST(OrderByPlace, IsAPermutationIntoCompactRuns) {

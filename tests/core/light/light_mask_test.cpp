@@ -2,6 +2,7 @@
 // Visibility by bit masks and by points against rays to the same samples.
 #include "core/light/light_mask.h"
 
+#include "core/light/blocker_lanes.h"
 #include "core/light/blockers.h"
 #include "core/math/rng.h"
 #include "core/math/sampling.h"
@@ -69,10 +70,25 @@ bool hides(const MaskBlocker& b, const vec3& from, const vec3& to, bool& close) 
   return least > 0.0;
 }
 
-std::vector<const MaskBlocker*> pointers(const std::vector<MaskBlocker>& list) {
-  std::vector<const MaskBlocker*> out;
-  for (const MaskBlocker& b : list) out.push_back(&b);
+BlockerLanes lanesOf(const std::vector<MaskBlocker>& list) {
+  BlockerLanes out;
+  for (const MaskBlocker& b : list) out.push(b);
   return out;
+}
+
+/// Blockers in one call or, from one each, in many: the same shadow.
+void addMaskVisibility(const MaskLight& light, const std::vector<MaskBlocker>& blockers,
+                       const MaskReceivers& receivers, MaskSums& sums, bool one_by_one = false) {
+  MaskShadow shadow(light, receivers);
+  BlockerLanes lanes;
+  for (const MaskBlocker& b : blockers) {
+    lanes.push(b);
+    if (!one_by_one) continue;
+    shadow.hide(lanes, 1e-4F);
+    lanes.clear();
+  }
+  shadow.hide(lanes, 1e-4F);
+  shadow.addTo(sums);
 }
 
 TEST(MaskLight, SamplesFillTheLightAndCellsCountThem) {
@@ -106,7 +122,7 @@ TEST_P(MaskVisibility, CountsTheBitsThatRaysCount) {
     const Group group(seed);
     const auto blockers = randomBlockers(100 + seed, 1 + static_cast<int>(seed % 6), GetParam());
     MaskSums sums;
-    addMaskVisibility(light, pointers(blockers), group.receivers(), 1e-4F, sums);
+    addMaskVisibility(light, blockers, group.receivers(), sums, seed % 2 == 0);
     for (std::size_t i = 0; i < 16; ++i) {
       int visible = 0;
       int unsure = 0;
@@ -139,7 +155,7 @@ TEST(MaskVisibility, WithoutBlockersEverythingIsVisible) {
       makeMaskLight({-0.5F, -0.3F, 2}, {1, 0, 0}, {0, 0.6F, 0}, {0, 0, -1}, true);
   const Group group(3);
   MaskSums sums;
-  addMaskVisibility(light, {}, group.receivers(), 1e-4F, sums);
+  addMaskVisibility(light, {}, group.receivers(), sums);
   EXPECT_EQ(sums.visible, sums.total);
   EXPECT_EQ(sums.plain_visible, sums.plain_total);
   // Weights cos cos' / r^2 over the samples integrate to the form factor: compare two receivers'
@@ -168,11 +184,11 @@ TEST(MaskVisibility, AWallHidesAllAndSumsAdd) {
   wall.normal = {0, 0, 1};
   const std::vector<MaskBlocker> list = {maskBlocker(wall)};
   MaskSums sums;
-  addMaskVisibility(light, pointers(list), group.receivers(), 1e-4F, sums);
+  addMaskVisibility(light, list, group.receivers(), sums);
   for (const float v : sums.visible) EXPECT_EQ(v, 0.0F);
   for (const float v : sums.plain_visible) EXPECT_EQ(v, 0.0F);
   const MaskSums once = sums;
-  addMaskVisibility(light, {}, group.receivers(), 1e-4F, sums);
+  addMaskVisibility(light, {}, group.receivers(), sums);
   for (std::size_t i = 0; i < 16; ++i) {
     EXPECT_NEAR(sums.visible[i], once.total[i], 1e-6F * once.total[i]);
     EXPECT_NEAR(sums.total[i], 2 * once.total[i], 1e-6F * once.total[i]);
@@ -196,7 +212,7 @@ TEST(PointVisibility, CountsThePointsThatRaysCount) {
     const Group group(seed);
     const auto blockers = randomBlockers(200 + seed, 3, seed % 2 == 0);
     MaskSums sums;
-    addPointVisibility(points, pointers(blockers), group.receivers(), 1e-4F, sums);
+    addPointVisibility(points, lanesOf(blockers), group.receivers(), 1e-4F, sums);
     for (std::size_t i = 0; i < 16; ++i) {
       double visible = 0.0;
       double total = 0.0;
@@ -216,6 +232,50 @@ TEST(PointVisibility, CountsThePointsThatRaysCount) {
       }
       EXPECT_NEAR(static_cast<double>(sums.visible[i] / sums.total[i]), visible / total,
                   unsure / total + 1e-4);
+    }
+  }
+}
+
+TEST(MaskShadow, TellsWhenNothingIsSeenAnyMore) {
+  const MaskLight light =
+      makeMaskLight({-0.5F, -0.3F, 2}, {1, 0, 0}, {0, 0.6F, 0}, {0, 0, -1}, true);
+  const Group group(3);
+  MaskReceivers r = group.receivers();
+  r.lanes = 0x0ff0U;
+  MaskShadow shadow(light, r);
+  BlockerLanes halves;
+  // Two walls that overlap in the middle, each of which leaves some of the light to some receiver.
+  for (const float sign : {-1.0F, 1.0F}) {
+    Blocker half;
+    half.corners = {vec3(-0.01F * sign, -9, 1), vec3(9 * sign, -9, 1), vec3(9 * sign, 9, 1),
+                    vec3(-0.01F * sign, 9, 1)};
+    half.count = 4;
+    half.normal = vec3(0, 0, sign);
+    halves.clear();
+    halves.push(maskBlocker(half));
+    EXPECT_EQ(shadow.hide(halves, 1e-4F), sign > 0.0F);
+  }
+  MaskSums sums;
+  shadow.addTo(sums);
+  for (std::size_t i = 0; i < 16; ++i)
+    EXPECT_EQ(sums.visible[i], i < 4 || i >= 12 ? sums.total[i] : 0.0F);
+}
+
+TEST(BlockerLanes, GiveBackWhatTheyWereGiven) {
+  const std::vector<MaskBlocker> list = randomBlockers(9, 70, true);
+  BlockerLanes lanes;
+  for (const MaskBlocker& b : list) lanes.push(b);
+  lanes.swap(3, 66);
+  ASSERT_EQ(lanes.size(), list.size());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const MaskBlocker& b = list[i == 3 ? 66 : (i == 66 ? 3 : i)];
+    const MaskBlocker found = lanes.at(i);
+    EXPECT_EQ(found.count, b.count);
+    EXPECT_EQ(found.normal, b.normal);
+    EXPECT_EQ(found.d, b.d);
+    EXPECT_EQ(found.solid, b.solid);
+    for (std::size_t c = 0; c < static_cast<std::size_t>(b.count); ++c) {
+      EXPECT_EQ(found.corners[c], b.corners[c]);
     }
   }
 }

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "core/light/prepared_light.h"
 
+#include "core/geometry/mesh.h"
+#include "core/math/rng.h"
+#include "core/math/sampling.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <span>
 
 namespace soffit::light {
 namespace {
@@ -139,6 +147,70 @@ TEST(PreparedLight, SixteenAtOnceAreEachOnTheirOwn) {
                                                     dvec3(v[3][i], v[4][i], v[5][i]));
       EXPECT_NEAR(lux[i], expected, 1e-9 * (std::abs(expected) + 1000.0))
           << shape.index() << ' ' << i;
+    }
+  }
+}
+
+/// A closed ball with bumps, about 2 n^2 triangles, of some 0.25 m in radius.
+std::shared_ptr<geometry::Mesh> bumpyBall(int n) {
+  auto mesh = std::make_shared<geometry::Mesh>();
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const double theta = kPi * i / n;
+      const double phi = 2 * kPi * j / n;
+      const double r = 0.25 * (1 + 0.25 * std::sin(3 * theta) * std::sin(4 * phi));
+      mesh->positions.emplace_back(r * std::sin(theta) * std::cos(phi),
+                                   r * std::sin(theta) * std::sin(phi), r * std::cos(theta));
+    }
+  }
+  const auto at = [n](int i, int j) { return static_cast<std::uint32_t>(i * n + j % n); };
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      if (i > 0) mesh->triangles.emplace_back(at(i, j), at(i + 1, j), at(i, j + 1));
+      if (i + 1 < n) mesh->triangles.emplace_back(at(i, j + 1), at(i + 1, j), at(i + 1, j + 1));
+    }
+  }
+  return mesh;
+}
+
+TEST(PreparedLight, LargeMeshesAgreeWithTheSumOfTheirTriangles) {
+  for (const int n : {12, 20, 54}) {
+    Luminaire l;
+    MeshShape shape;
+    shape.mesh = bumpyBall(n);
+    l.shape = shape;
+    l.flux = 1000.0;
+    const auto e = makeEmitter(l);
+    ASSERT_TRUE(e.ok());
+    const PreparedLight light(*e);
+    for (const float distance : {0.36F, 0.6F, 1.0F, 2.0F, 5.0F}) {
+      Rng rng(3);
+      double square = 0.0;
+      for (int g = 0; g < 10; ++g) {
+        std::array<std::array<float, 16>, 6> v{};
+        const vec3 dir = uniformSphere(rng.uniform(), rng.uniform());
+        float nearest = 1e30F;
+        for (std::size_t i = 0; i < 16; ++i) {
+          const vec3 p = distance * dir + 0.05F * uniformSphere(rng.uniform(), rng.uniform());
+          const vec3 m = glm::normalize(0.7F * uniformSphere(rng.uniform(), rng.uniform()) - dir);
+          for (int k = 0; k < 3; ++k) {
+            v[static_cast<std::size_t>(k)][i] = p[k];
+            v[static_cast<std::size_t>(3 + k)][i] = m[k];
+          }
+          nearest = std::min(nearest, std::sqrt(e->bounds.distanceSquared(p)));
+        }
+        const MaskReceivers r{v[0].data(), v[1].data(), v[2].data(),
+                              v[3].data(), v[4].data(), v[5].data()};
+        std::array<double, 16> lux{};
+        light.unoccluded(r, nearest, lux.data());
+        for (std::size_t i = 0; i < 16; ++i) {
+          const double expected = unoccludedIlluminance(*e, dvec3(v[0][i], v[1][i], v[2][i]),
+                                                        dvec3(v[3][i], v[4][i], v[5][i]));
+          square += std::pow(lux[i] / expected - 1.0, 2);
+        }
+      }
+      // Truncation: a triangle as a point errs by some (extent/distance)^2/50, of either sign.
+      EXPECT_LT(std::sqrt(square / 160.0), 3e-4) << n << ' ' << distance;
     }
   }
 }

@@ -47,7 +47,7 @@ TEST(ShutDoor, DISABLED_NothingComesThrough) {
   EXPECT_LE(worst, 1e-4 * mean(lit.indirect));
 }
 
-TEST(Solids, DISABLED_ATubeInsideLightsNothingOutside) {
+TEST(Solids, ATubeInsideLightsNothingOutside) {
   // Seen end-on from the wall x = 0, through two faces of the block.
   const auto solver = solverFor(blockRoom(), {dvec3(0.6)});
   light::Luminaire tube = panel({1.5, 1.6, 0.8});
