@@ -36,9 +36,9 @@ Solver::Solver(std::shared_ptr<const transfer::StaticScene> scene, std::shared_p
   for (std::uint32_t i = 0; i < nodes.patches.size(); ++i) {
     const transfer::Nodes::Patch& p = nodes.patches[i];
     if (p.begin == operators_->texels.receivers.clusters[first_patch_.size()].begin) first_patch_.push_back(i);
-    vec3& moment = kept_moment_.emplace_back(0.0F);
+    vec3& moment = sends_moment_.emplace_back(0.0F);
     for (std::uint32_t s = p.begin; s < p.end; ++s) {
-      moment += operators_->area[s] * operators_->kept[s] * vec3(1.0F, nodes.phi[s].x, nodes.phi[s].y);
+      moment += operators_->sends[s] * vec3(1.0F, nodes.phi[s].x, nodes.phi[s].y);
     }
   }
   first_patch_.push_back(static_cast<std::uint32_t>(nodes.patches.size()));
@@ -102,7 +102,7 @@ dvec3 Solver::sendDirect(const Column& column, std::span<const float> open, std:
       for (std::uint32_t s = clusters[i].begin; s < clusters[i].end; ++s) {
         const vec3 b = directAt(column, open, s) * vec3(rho[0][s], rho[1][s], rho[2][s]);
         x[s] = vec4(b, 0.0F);
-        sum += op.area[s] * op.kept[s] * b;
+        sum += op.sends[s] * b;
       }
       sent_by[i] = dvec3(sum);
     }
@@ -167,7 +167,7 @@ void Solver::addFromNodes(std::span<const transfer::PatchLight> sent, std::vecto
   for (std::size_t i = 0; i < sent.size(); ++i) {
     for (int a = 0; a < 3; ++a) {
       const vec4& b = sent[i].c[static_cast<std::size_t>(a)];
-      total += static_cast<double>(kept_moment_[i][a]) * dvec3(b.x, b.y, b.z);
+      total += static_cast<double>(sends_moment_[i][a]) * dvec3(b.x, b.y, b.z);
     }
   }
   std::vector<vec4> more(y.size());

@@ -105,7 +105,7 @@ class Solver {
   std::optional<transfer::NodeSolver> nodes_;  ///< none without nodes
   std::vector<std::uint32_t> filled_;         ///< slots that show another's light
   std::vector<std::uint32_t> first_patch_;    ///< per cluster, then the end
-  std::vector<vec3> kept_moment_;             ///< per patch: sum A kept phi of its functions
+  std::vector<vec3> sends_moment_;            ///< per patch: sum sends phi of its functions
 };
 
 }  // namespace soffit::relight

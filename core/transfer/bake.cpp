@@ -59,7 +59,7 @@ FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, con
   FirstHits first;
   first.slots.assign(texels.slotCount() * rays, kNoTexel);
   first.valid.assign(texels.slotCount(), 0);
-  operators.kept.assign(texels.slotCount(), 0.0F);
+  operators.sends.assign(texels.slotCount(), 0.0F);
   std::atomic<std::size_t> done{0};
   const std::size_t clusters = texels.receivers.clusters.size();
   parallelFor(clusters, 1, [&](std::size_t begin, std::size_t end) {
@@ -74,7 +74,8 @@ FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, con
         std::copy(hits.slots.begin(), hits.slots.end(), first.slots.begin() + static_cast<std::ptrdiff_t>(s * rays));
         const int total = static_cast<int>(rays);
         first.valid[s] = texels.area[s] > 0.0F && hits.inside * 10 <= total ? 1 : 0;
-        operators.kept[s] = static_cast<float>(total - hits.missed - hits.inside) / static_cast<float>(total);
+        operators.sends[s] =
+            static_cast<float>(total - hits.missed - hits.inside) / static_cast<float>(total);  // x area below
       }
       job.report("tracing surfaces", static_cast<double>(++done) / static_cast<double>(clusters));
     }
@@ -134,6 +135,7 @@ Result<std::shared_ptr<const Operators>> bake(const StaticScene& scene, const Ba
   const FirstHits first = traceFirst(scene, settings, job, *operators);
   if (job.cancelled()) return cancelled;
   fillInvalid(first, *operators);
+  for (std::size_t s = 0; s < operators->sends.size(); ++s) operators->sends[s] *= operators->area[s];
   const int rays = settings.node_rays * settings.node_rays;
   tally.rays += static_cast<std::uint64_t>(operators->texels.texelCount()) * static_cast<std::uint64_t>(rays);
   operators->nodes = makeNodes(operators->texels, operators->area, settings.patch);

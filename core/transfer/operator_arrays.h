@@ -50,7 +50,7 @@ std::string applyRecords(const Records& records, Operators& operators);
 /// until it is stored too (raise kBakeVersion then).
 template <class Ops, class Recs, class Visit>
 void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
-  auto& [texels, area, fill_from, kept, nodes, lists, node_lists, clusters, weights, list_area,
+  auto& [texels, area, fill_from, sends, nodes, lists, node_lists, clusters, weights, list_area,
          coarse] = operators;
   auto& [receivers, texel_area, material, triangle, openness, part, uv, uv_width, charts, cell, grids, cells, split] =
       texels;
@@ -89,7 +89,7 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   visit("texels.split", split);
   visit("area", area);
   visit("fill_from", fill_from);
-  visit("kept", kept);
+  visit("sends", sends);
   visit("nodes.patches", patches);
   visit("nodes.patch_of", patch_of);
   visit("nodes.phi", phi);

@@ -44,7 +44,9 @@ struct Operators {
   Texels texels;
   std::vector<float> area;               ///< per slot: what takes part in the bounce; 0 for padding and invalid texels
   std::vector<std::uint32_t> fill_from;  ///< per slot: itself, or the valid slot whose light it shows
-  std::vector<float> kept;               ///< per slot: share of its light that stays in the scene
+  /// Per slot, m^2: what one lux of radiosity makes in lux times m^2 elsewhere: the area, less what
+  /// leaves the scene; of texels that take no part, what the lists see of them.
+  std::vector<float> sends;
   Nodes nodes;
   GatherLists lists;                     ///< what each skeleton point sees, texel by texel
   NodeLists node_lists;                  ///< the same by node functions

@@ -195,8 +195,8 @@ std::string inconsistency(const Operators& operators) {
   if (!chartsAreSane(operators.texels.charts)) return "charts";
   if (!texelsAreSane(operators.texels)) return "texels";
   if (!gridsAreSane(operators.texels)) return "grids";
-  if (operators.area.size() != slots || operators.kept.size() != slots ||
-      operators.fill_from.size() != slots || !sane(operators.area) || !sane(operators.kept) ||
+  if (operators.area.size() != slots || operators.sends.size() != slots ||
+      operators.fill_from.size() != slots || !sane(operators.area) || !sane(operators.sends) ||
       !below(operators.fill_from, slots)) {
     return "texel areas";
   }

@@ -262,6 +262,20 @@ std::vector<std::size_t> chooseRanks(std::span<const Choice> choices, std::size_
   return ranks;
 }
 
+/// Texels that take no part show the light of others, and rays meet them at the edges of what
+/// covers them: what arrives from there was sent, too.
+void countUnheard(Operators& operators) {
+  const GatherLists& lists = operators.lists;
+  for (std::size_t k = 0; k < lists.lists.size(); ++k) {
+    const float worth = operators.list_area[k] * lists.lists[k].scale;
+    lists.forEachEntry(lists.lists[k], [&](std::uint32_t slot, std::uint32_t rays) {
+      if (operators.area[slot] <= 0.0F) {
+        operators.sends[slot] += worth * static_cast<float>(rays);
+      }
+    });
+  }
+}
+
 }  // namespace
 
 std::uint64_t fillSkeletons(const StaticScene& scene, const TrainingFields& fields,
@@ -316,6 +330,7 @@ std::uint64_t fillSkeletons(const StaticScene& scene, const TrainingFields& fiel
             static_cast<std::uint64_t>(r.rank) *
                 static_cast<std::uint64_t>(settings.list_rays * settings.list_rays);
   }
+  countUnheard(operators);
   operators.node_lists = makeNodeLists(operators.lists, operators.nodes);
   return rays;
 }

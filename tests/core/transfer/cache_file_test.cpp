@@ -64,7 +64,7 @@ void expectSameTexels(const Texels& a, const Texels& b) {
 
 void expectSame(const Operators& a, const Operators& b) {
   expectSameTexels(a.texels, b.texels);
-  EXPECT_TRUE(same(a.area, b.area) && same(a.fill_from, b.fill_from) && same(a.kept, b.kept));
+  EXPECT_TRUE(same(a.area, b.area) && same(a.fill_from, b.fill_from) && same(a.sends, b.sends));
   EXPECT_TRUE(same(a.nodes.patches, b.nodes.patches) && same(a.nodes.patch_of, b.nodes.patch_of));
   EXPECT_TRUE(same(a.nodes.phi, b.nodes.phi) && same(a.nodes.matrix.first, b.nodes.matrix.first));
   EXPECT_TRUE(same(a.nodes.matrix.blocks, b.nodes.matrix.blocks));

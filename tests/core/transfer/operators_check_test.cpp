@@ -44,7 +44,7 @@ TEST(Inconsistency, NamesThePart) {
   EXPECT_EQ(after([](Operators& o) { o.texels.grids[0].nu = 1 << 30; }), "grids");
   EXPECT_EQ(after([](Operators& o) { o.texels.cells[0] = 1U << 20U; }), "grids");
   EXPECT_EQ(after([](Operators& o) { o.fill_from.back() = 1U << 20U; }), "texel areas");
-  EXPECT_EQ(after([&](Operators& o) { o.kept[0] = nan; }), "texel areas");
+  EXPECT_EQ(after([&](Operators& o) { o.sends[0] = nan; }), "texel areas");
   EXPECT_EQ(after([](Operators& o) { o.nodes.patch_of[0] = 1000; }), "nodes");
   EXPECT_EQ(after([](Operators& o) { o.nodes.stride += 16; }), "nodes");
   EXPECT_EQ(after([](Operators& o) { o.nodes.patches[0].end += 16; }), "nodes");
@@ -106,7 +106,7 @@ float use(const Operators& o, std::size_t triangles) {
   }
   for (std::size_t k = 0; k < y.size(); ++k) sum += o.list_area[k];
   for (std::size_t s = 0; s < slots; ++s) {
-    sum += plane[o.fill_from[s]] + o.kept[s] +
+    sum += plane[o.fill_from[s]] + o.sends[s] +
            o.texels.receivers.x[o.texels.receivers.slot_of[o.texels.receivers.point_of[s]]] +
            static_cast<float>(o.nodes.patches[o.nodes.patch_of[s]].first + of.cluster_of[s]);
   }
