@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/relight/lighting.h"
+#include "core/scene/scene.h"
+#include "core/transfer/operators.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace soffit::ui {
+
+/// What the viewport draws of a building: triangles whose corners are display points, each with
+/// the texels that its light is interpolated from. Static; only the light at the corners changes.
+///
+/// Charts are cut where light bends (chart_cutting.h). A side that carries no light (outer walls
+/// from outside, insides of solids) is not drawn, so that one looks into a closed room from
+/// outside; the other faces are wound counter-clockwise toward the side they belong to.
+struct DisplayMesh {
+  /// Triangles of one picture; those without come first.
+  struct Part {
+    std::uint32_t first_index = 0;
+    std::uint32_t index_count = 0;
+    std::shared_ptr<const scene::Image> map;  ///< null: none
+  };
+
+  std::vector<vec3> positions;  ///< scene-local
+  std::vector<vec3> albedo;     ///< per vertex, map not applied
+  std::vector<vec2> uvs;        ///< per vertex; empty when no part has a map
+  std::vector<std::uint32_t> indices;
+  std::vector<Part> parts;
+
+  /// Light of vertex v = sum of weights[k] * light of slots[k], k in first[v] .. first[v + 1].
+  std::vector<std::uint32_t> first;
+  std::vector<std::uint32_t> slots;
+  std::vector<float> weights;
+
+  [[nodiscard]] std::size_t vertexCount() const { return positions.size(); }
+};
+
+DisplayMesh makeDisplayMesh(const geometry::Mesh& mesh, const transfer::Texels& texels,
+                            std::span<const scene::Material> materials);
+
+/// RGB lux at each vertex. out.size() == vertexCount().
+void lightVertices(const DisplayMesh& mesh, const relight::Planes& lux, std::span<vec3> out);
+
+}  // namespace soffit::ui
