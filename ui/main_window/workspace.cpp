@@ -48,7 +48,8 @@ Workspace makeWorkspace(QMainWindow& window) {
   window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
                         QMainWindow::AllowNestedDocks);
   window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-  dock(window, w, Qt::RightDockWidgetArea, tr("Properties"), "properties", scrolled(w.luminaire));
+  QDockWidget* properties = dock(window, w, Qt::RightDockWidgetArea, tr("Properties"), "properties",
+                                 scrolled(w.luminaire));
   QDockWidget* view =
       dock(window, w, Qt::RightDockWidgetArea, tr("View"), "view", scrolled(w.view));
   QDockWidget* layouts =
@@ -61,6 +62,7 @@ Workspace makeWorkspace(QMainWindow& window) {
   lights->raise();
   window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   window.resizeDocks({view}, {290}, Qt::Horizontal);
+  window.resizeDocks({properties, view}, {430, 300}, Qt::Vertical);
   window.resizeDocks({layouts, lights}, {210, 760}, Qt::Horizontal);
   window.resizeDocks({layouts}, {190}, Qt::Vertical);
   return w;

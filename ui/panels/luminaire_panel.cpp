@@ -50,7 +50,7 @@ LuminairePanel::LuminairePanel(QWidget* parent) : QWidget(parent) {
   fields_ = new QWidget;
   auto* form = new QFormLayout(fields_);
   form->setContentsMargins(0, 4, 0, 0);
-  form->setVerticalSpacing(6);
+  form->setVerticalSpacing(5);
   form->setLabelAlignment(Qt::AlignLeft);
   on_ = new QCheckBox(tr("Switched on"));
   dimming_slider_ = new QSlider(Qt::Horizontal);

@@ -106,11 +106,13 @@ void StartPage::refresh() {
   columns->setContentsMargins(0, 0, 0, 0);
   columns->setSpacing(40);
   auto* left = new QVBoxLayout;
+  left->setSpacing(6);
   left->addWidget(heading(tr("Sample projects")));
   left->addSpacing(6);
   left->addWidget(makeSamples());
   left->addStretch(1);
   auto* right = new QVBoxLayout;
+  right->setSpacing(6);
   right->addWidget(heading(tr("Recent projects")));
   right->addSpacing(6);
   right->addWidget(makeRecent(), 1);

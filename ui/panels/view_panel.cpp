@@ -60,6 +60,7 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
   logarithmic_ = new QCheckBox(tr("Logarithmic"));
   cameras_ = new QListWidget;
   cameras_->setAccessibleName(tr("Saved cameras"));
+  cameras_->setMinimumHeight(4 * fontMetrics().height());
   auto* save_camera = new QPushButton(tr("Save this view"));
 
   auto* form = new QFormLayout;

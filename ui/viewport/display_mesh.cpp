@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <unordered_map>
+#include <utility>
 
 namespace soffit::ui {
 namespace {
@@ -80,24 +81,78 @@ class Builder {
     list.insert(list.end(), {corners.x, corners.y, corners.z});
   }
 
+  /// The texel of the very cell that a point of a planar chart lies in; none under matter.
+  [[nodiscard]] std::uint32_t slotUnder(std::uint32_t c, int side, const vec3& point) const {
+    const transfer::Chart& chart = texels_.charts.charts[c];
+    const transfer::Texels::Grid& grid = texels_.grids[c];
+    const vec3 d = point - chart.origin;
+    const int i = std::clamp(static_cast<int>(glm::dot(d, chart.t) / grid.cell.x), 0, grid.nu - 1);
+    const int j = std::clamp(static_cast<int>(glm::dot(d, chart.b) / grid.cell.y), 0, grid.nv - 1);
+    return texels_
+        .cells[grid.first + static_cast<std::uint32_t>((side * grid.nv + j) * grid.nu + i)];
+  }
+  [[nodiscard]] std::uint32_t partUnder(std::uint32_t c, int side, const vec3& point) const {
+    const std::uint32_t slot = slotUnder(c, side, point);
+    return slot == transfer::kNoTexel ? transfer::kNoTexel : texels_.part[slot];
+  }
+
+  /// One side of a planar chart on its way into the mesh.
+  struct Planar {
+    std::uint32_t chart;
+    int side;
+    bool front;
+    const CutChart& cut;
+    std::vector<vec3> positions;
+    std::vector<std::uint32_t> parts;  ///< kNoTexel: under matter
+    std::vector<std::uint32_t> index;  ///< in the mesh
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> others;  ///< (vertex, part)
+  };
+
+  std::uint32_t addPlanarVertex(const Planar& p, std::uint32_t v, const vec3& light_from) {
+    const CutChart::Vertex& vertex = p.cut.vertices[v];
+    Row row;
+    row.count = texels_.around(vertex.triangle, p.front, light_from, row.slots, row.weights);
+    return addVertex(p.positions[v], has_maps_ ? mixed(vertex, mesh_.uvs) : vec2(0.0F),
+                     texels_.charts.charts[p.chart].material, row);
+  }
+
+  template <class T>
+  [[nodiscard]] T mixed(const CutChart::Vertex& vertex, const std::vector<T>& values) const {
+    const uvec3& t = mesh_.triangles[vertex.triangle];
+    return (1.0F - vertex.barycentric.x - vertex.barycentric.y) * values[t.x] +
+           vertex.barycentric.x * values[t.y] + vertex.barycentric.y * values[t.z];
+  }
+
+  /// The vertex as a triangle about `center` sees it. A corner under a wall, or behind it, would
+  /// bring the light of the wall's other side; it takes the light from nearer to the center.
+  std::uint32_t vertexFor(Planar& p, std::uint32_t v, const vec3& center, std::uint32_t part) {
+    if (part == transfer::kNoTexel || p.parts[v] == part) return p.index[v];
+    const auto [found, added] = p.others.try_emplace({v, part}, p.index[v]);
+    if (!added) return found->second;
+    for (const float way : {0.25F, 0.5F, 0.75F, 1.0F}) {
+      const vec3 from = glm::mix(p.positions[v], center, way);
+      if (partUnder(p.chart, p.side, from) != part) continue;
+      found->second = addPlanarVertex(p, v, from);
+      break;
+    }
+    return found->second;
+  }
+
   void addPlanar(std::uint32_t c, int side, bool front) {
     const CutChart cut = cutChart(mesh_, texels_, c, side);
-    const std::uint32_t material = texels_.charts.charts[c].material;
-    std::vector<std::uint32_t> index(cut.vertices.size());
-    for (std::size_t v = 0; v < cut.vertices.size(); ++v) {
-      const CutChart::Vertex& vertex = cut.vertices[v];
-      const uvec3& t = mesh_.triangles[vertex.triangle];
-      const auto mix = [&](const auto& values) {
-        return (1.0F - vertex.barycentric.x - vertex.barycentric.y) * values[t.x] +
-               vertex.barycentric.x * values[t.y] + vertex.barycentric.y * values[t.z];
-      };
-      const vec3 position = mix(mesh_.positions);
-      Row row;
-      row.count = texels_.around(vertex.triangle, front, position, row.slots, row.weights);
-      index[v] = addVertex(position, has_maps_ ? mix(mesh_.uvs) : vec2(0.0F), material, row);
+    Planar p{c, side, front, cut, {}, {}, {}, {}};
+    for (std::uint32_t v = 0; v < cut.vertices.size(); ++v) {
+      p.positions.push_back(mixed(cut.vertices[v], mesh_.positions));
+      p.parts.push_back(partUnder(c, side, p.positions.back()));
+      p.index.push_back(addPlanarVertex(p, v, p.positions.back()));
     }
     for (const uvec3& t : cut.triangles) {
-      addTriangle({index[t.x], index[t.y], index[t.z]}, front, material);
+      const vec3 center = (p.positions[t.x] + p.positions[t.y] + p.positions[t.z]) / 3.0F;
+      const bool alike = p.parts[t.x] == p.parts[t.y] && p.parts[t.y] == p.parts[t.z];
+      const std::uint32_t part = alike ? p.parts[t.x] : partUnder(c, side, center);
+      addTriangle({vertexFor(p, t.x, center, part), vertexFor(p, t.y, center, part),
+                   vertexFor(p, t.z, center, part)},
+                  front, texels_.charts.charts[c].material);
     }
   }
 

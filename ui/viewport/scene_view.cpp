@@ -3,6 +3,7 @@
 
 #include "ui/document/text.h"
 #include "ui/viewport/picture_pass.h"
+#include "ui/viewport/plain_preview.h"
 
 #include <vtkCamera.h>
 
@@ -57,6 +58,11 @@ void SceneView::setScene(std::shared_ptr<const scene::Scene> scene) {
   mesh_.reset();
   mesh_solver_.reset();
   pass().building.setMesh(nullptr);
+  if (scene_ != nullptr) {
+    PlainPreview preview = makePlainPreview(*scene_->mesh, scene_->materials);
+    pass().building.setMesh(std::move(preview.mesh));
+    pass().building.setLight(std::move(preview.lux));
+  }
   restart();
 }
 

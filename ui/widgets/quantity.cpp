@@ -73,8 +73,10 @@ std::optional<double> parseQuantity(QStringView text, Dimension dimension) {
       QStringLiteral(
           "\\G\\s*([+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:e[+-]?\\d+)?)\\s*([a-z%\u00b0'\"]*)"),
       QRegularExpression::CaseInsensitiveOption);
-  const QString cleaned =
-      text.toString().trimmed().replace(QChar(0x2212), QLatin1Char('-')).toLower();
+  QString cleaned = text.toString().toLower();
+  cleaned.replace(QChar(0x2212), QLatin1Char('-'));  // a typographer's minus
+  cleaned.replace(QChar::Nbsp, QLatin1Char(' '));    // formatQuantity()'s
+  cleaned = cleaned.trimmed();
   double sum = 0.0;
   int terms = 0;
   qsizetype at = 0;

@@ -6,6 +6,7 @@
 #include "ui/document/recent_files.h"
 #include "ui/widgets/theme.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QDir>
