@@ -55,6 +55,9 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::showWorkspace(bool shown) {
   pages_->setCurrentWidget(shown ? static_cast<QWidget*>(workspace_.area) : start_);
+  // A page that is not shown must not decide how small the window can be.
+  start_->setSizePolicy(shown ? QSizePolicy::Ignored : QSizePolicy::Preferred,
+                        shown ? QSizePolicy::Ignored : QSizePolicy::Preferred);
   if (shown) {
     restoreState(docks_);
   } else {

@@ -89,6 +89,13 @@ void BuildingDrawing::setLight(std::vector<vec3> lux) {
   light_dirty_ = true;
 }
 
+void BuildingDrawing::setView(const glm::mat4& clip_from_scene, const vec3& eye) {
+  if (clip_from_scene == clip_from_scene_ && eye == eye_) return;
+  clip_from_scene_ = clip_from_scene;
+  eye_ = eye;
+  view_dirty_ = true;
+}
+
 void BuildingDrawing::setLuminaires(LuminaireMesh luminaires) {
   luminaires_ = std::move(luminaires);
   luminaires_dirty_ = true;
@@ -108,7 +115,7 @@ void BuildingDrawing::upload() {
     fill(positions_, Kind::vertices, mesh_->positions);
     fill(albedo_, Kind::vertices, mesh_->albedo);
     fill(uvs_, Kind::vertices, mesh_->uvs);
-    fill(indices_, Kind::indices, mesh_->indices);
+    view_dirty_ = true;
     attribute(0, positions_, 3);
     attribute(1, albedo_, 3);
     attribute(3, uvs_, 2);
@@ -120,6 +127,12 @@ void BuildingDrawing::upload() {
     light_dirty_ = true;
   }
   mesh_dirty_ = false;
+  if (view_dirty_ && mesh_ != nullptr) {
+    glBindVertexArray(mesh_array_);
+    fill(indices_, Kind::indices, visibleIndices(*mesh_, clip_from_scene_, eye_, visible_counts_),
+         true);
+  }
+  view_dirty_ = false;
   if (light_dirty_ && !light_.empty()) {
     glBindVertexArray(mesh_array_);
     fill(lux_, Kind::vertices, light_, true);
@@ -144,13 +157,17 @@ void BuildingDrawing::drawMesh(const glm::mat4& clip_from_scene) {
   mesh_program_.set("clip_from_scene", clip_from_scene);
   mesh_program_.set("map", 0);
   glBindVertexArray(mesh_array_);
+  std::size_t first = 0;
   for (std::size_t i = 0; i < mesh_->parts.size(); ++i) {
-    const DisplayMesh::Part& part = mesh_->parts[i];
-    mesh_program_.set("mapped", part.map != nullptr ? 1 : 0);
-    if (part.map != nullptr) maps_[i].bind(0);
-    glDrawElements(
-        GL_TRIANGLES, static_cast<GLsizei>(part.index_count), GL_UNSIGNED_INT,
-        reinterpret_cast<const void*>(part.first_index * sizeof(std::uint32_t)));  // NOLINT
+    const bool mapped = mesh_->parts[i].map != nullptr;
+    const std::uint32_t count = visible_counts_[i];
+    mesh_program_.set("mapped", mapped ? 1 : 0);
+    if (mapped) maps_[i].bind(0);
+    if (count > 0) {
+      glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                     reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));  // NOLINT
+    }
+    first += count;
   }
 }
 
@@ -167,8 +184,11 @@ void BuildingDrawing::drawLuminaires(const glm::mat4& clip_from_scene) {
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void BuildingDrawing::draw(const glm::mat4& clip_from_scene, const vec3& background) {
+void BuildingDrawing::draw(const vec2& shift, const vec3& background) {
   upload();
+  glm::mat4 shifted(1.0F);
+  shifted[3] = glm::vec4(shift, 0.0F, 1.0F);
+  const glm::mat4 clip_from_scene = shifted * clip_from_scene_;
   glClearColor(background.x, background.y, background.z, kBeyond);
   glDepthMask(GL_TRUE);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -25,8 +25,11 @@ class BuildingDrawing {
   void setLight(std::vector<vec3> lux);
   void setLuminaires(LuminaireMesh luminaires);
 
-  /// Into the framebuffer that is bound; clears it. clip_from_scene: the whole camera.
-  void draw(const glm::mat4& clip_from_scene, const vec3& background);
+  /// The camera of the next draws, and where its eye is (scene-local). What cannot be seen from
+  /// there is not drawn.
+  void setView(const glm::mat4& clip_from_scene, const vec3& eye);
+  /// Into the framebuffer that is bound; clears it. shift: of the picture, in clip coordinates.
+  void draw(const vec2& shift, const vec3& background);
   void release();
 
  private:
@@ -37,6 +40,10 @@ class BuildingDrawing {
   std::shared_ptr<const DisplayMesh> mesh_;
   std::vector<vec3> light_;
   LuminaireMesh luminaires_;
+  glm::mat4 clip_from_scene_{1.0F};
+  vec3 eye_{0.0F};
+  std::vector<std::uint32_t> visible_counts_;  ///< indices per part
+  bool view_dirty_ = true;
   bool mesh_dirty_ = false;
   bool light_dirty_ = false;
   bool luminaires_dirty_ = false;

@@ -40,36 +40,58 @@ Polygon clipped(const Polygon& polygon, int k, double lo, double hi) {
   return cut(cut(polygon, lo, 1.0), hi, -1.0);
 }
 
-/// Where the lattice is fine.
+/// How finely the lattice is cut: texels are whole base cells, halves of them, or fine cells.
 class Fineness {
  public:
   Fineness(const transfer::Texels& texels, std::uint32_t chart, int side)
       : grid_(texels.grids[chart]),
         columns_(grid_.nu / grid_.ku),
         rows_(grid_.nv / grid_.kv),
-        split_(texels.split),
-        first_(grid_.first_base + static_cast<std::uint32_t>(side * columns_ * rows_)) {}
+        texels_(texels),
+        first_base_(grid_.first_base + static_cast<std::uint32_t>(side * columns_ * rows_)),
+        first_cell_(grid_.first + static_cast<std::uint32_t>(side * grid_.nu * grid_.nv)) {}
 
-  /// Lattice cell (i, j) spans base cells i..i+1, j..j+1.
-  [[nodiscard]] bool at(int i, int j) const {
-    if (grid_.ku == 1 && grid_.kv == 1) return false;
+  /// 1, 2 or 4 parts along each side of the lattice cell (i, j), which spans the base cells i..i+1,
+  /// j..j+1 between their centers.
+  [[nodiscard]] int level(int i, int j) const {
+    if (grid_.ku == 1 && grid_.kv == 1) return 1;
+    int most = 1;
     for (int dj = 0; dj < 2; ++dj) {
       for (int di = 0; di < 2; ++di) {
-        const int u = std::clamp(i + di, 0, columns_ - 1);
-        const int v = std::clamp(j + dj, 0, rows_ - 1);
-        if (split_[first_ + static_cast<std::uint32_t>(v * columns_ + u)] != 0) return true;
+        most = std::max(most, levelOfBase(std::clamp(i + di, 0, columns_ - 1),
+                                          std::clamp(j + dj, 0, rows_ - 1)));
       }
     }
-    return false;
+    return most;
   }
-  [[nodiscard]] int parts(int axis) const { return axis == 0 ? grid_.ku : grid_.kv; }
+  [[nodiscard]] int parts(int axis, int level) const {
+    return std::min(level, axis == 0 ? grid_.ku : grid_.kv);
+  }
 
  private:
+  [[nodiscard]] int levelOfBase(int u, int v) const {
+    if (texels_.split[first_base_ + static_cast<std::uint32_t>(v * columns_ + u)] == 0) return 1;
+    const auto slot = [&](int di, int dj) {
+      const int at = (v * grid_.kv + dj) * grid_.nu + u * grid_.ku + di;
+      return texels_.cells[first_cell_ + static_cast<std::uint32_t>(at)];
+    };
+    // Halves: each pair of fine cells along a side is one texel.
+    for (int dj = 0; dj < grid_.kv; ++dj) {
+      for (int di = 0; di < grid_.ku; ++di) {
+        const int hi = grid_.ku == 4 ? di & ~1 : di;
+        const int hj = grid_.kv == 4 ? dj & ~1 : dj;
+        if (slot(di, dj) != slot(hi, hj)) return 4;
+      }
+    }
+    return 2;
+  }
+
   const transfer::Texels::Grid& grid_;
   int columns_;
   int rows_;
-  const std::vector<std::uint8_t>& split_;
-  std::uint32_t first_;
+  const transfer::Texels& texels_;
+  std::uint32_t first_base_;
+  std::uint32_t first_cell_;
 };
 
 class Cutter {
@@ -118,38 +140,37 @@ class Cutter {
   }
 
   void addCell(const Polygon& cell, int i, int j) {
-    if (!fineness_.at(i, j)) {
-      fan(withNeighboursCorners(cell, i, j));
-      return;
-    }
-    const int nu = fineness_.parts(0);
-    const int nv = fineness_.parts(1);
+    const int level = fineness_.level(i, j);
+    const int nu = fineness_.parts(0, level);
+    const int nv = fineness_.parts(1, level);
+    const auto place = [](int from, int k, int n) { return from + static_cast<double>(k) / n; };
     for (int u = 0; u < nu; ++u) {
       const Polygon column =
-          clipped(cell, 0, i + static_cast<double>(u) / nu, i + static_cast<double>(u + 1) / nu);
+          nu == 1 ? cell : clipped(cell, 0, place(i, u, nu), place(i, u + 1, nu));
       if (column.size() < 3) continue;
       for (int v = 0; v < nv; ++v) {
-        const Polygon part = clipped(column, 1, j + static_cast<double>(v) / nv,
-                                     j + static_cast<double>(v + 1) / nv);
-        if (part.size() >= 3) fan(part);
+        const Polygon part =
+            nv == 1 ? column : clipped(column, 1, place(j, v, nv), place(j, v + 1, nv));
+        if (part.size() >= 3) fan(withNeighboursCorners(part, i, j, level));
       }
     }
   }
 
-  /// The corners of finer neighbours on this cell's border, so that no T-junction is left.
-  [[nodiscard]] Polygon withNeighboursCorners(const Polygon& cell, int i, int j) const {
+  /// The corners of finer neighbours on the lattice cell's border, so that no T-junction is left.
+  [[nodiscard]] Polygon withNeighboursCorners(const Polygon& part, int i, int j, int level) const {
     Polygon out;
-    for (std::size_t k = 0; k < cell.size(); ++k) {
-      const dvec2& a = cell[k];
-      const dvec2& b = cell[(k + 1) % cell.size()];
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const dvec2& a = part[k];
+      const dvec2& b = part[(k + 1) % part.size()];
       out.push_back(a);
       for (int axis = 0; axis < 2; ++axis) {
         const int at = axis == 0 ? i : j;
         if (a[axis] != b[axis] || (a[axis] != at && a[axis] != at + 1)) continue;
         const int step = a[axis] == at ? -1 : 1;
-        if (!(axis == 0 ? fineness_.at(i + step, j) : fineness_.at(i, j + step))) continue;
+        const int beyond = axis == 0 ? fineness_.level(i + step, j) : fineness_.level(i, j + step);
+        if (beyond <= level) continue;
         const int other = 1 - axis;
-        const int parts = fineness_.parts(other);
+        const int parts = fineness_.parts(other, beyond);
         const int from = other == 0 ? i : j;
         const bool rising = b[other] > a[other];
         for (int m = 1; m < parts; ++m) {

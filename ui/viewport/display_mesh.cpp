@@ -43,11 +43,13 @@ class Builder {
       int side = 0;
       for (const bool front : {true, false}) {
         if ((chart.sides & (front ? transfer::kFront : transfer::kBack)) == 0) continue;
+        const std::size_t first = indexCount(chart);
         if (chart.planar) {
           addPlanar(c, side, front);
         } else {
           addCurved(c, front);
         }
+        closePatch(chart, front, first);
         ++side;
       }
     }
@@ -77,8 +79,28 @@ class Builder {
 
   void addTriangle(uvec3 corners, bool front, std::uint32_t material) {
     if (!front) std::swap(corners.y, corners.z);
-    std::vector<std::uint32_t>& list = by_map_[materials_[material].diffuse_image];
-    list.insert(list.end(), {corners.x, corners.y, corners.z});
+    Run& run = by_map_[materials_[material].diffuse_image];
+    run.indices.insert(run.indices.end(), {corners.x, corners.y, corners.z});
+  }
+
+  /// What was added to a map's run since `first` is one patch.
+  void closePatch(const transfer::Chart& chart, bool front, std::size_t first) {
+    Run& run = by_map_[materials_[chart.material].diffuse_image];
+    if (run.indices.size() == first) return;
+    DisplayMesh::Patch patch;
+    patch.first_index = static_cast<std::uint32_t>(first);
+    patch.index_count = static_cast<std::uint32_t>(run.indices.size() - first);
+    for (std::size_t k = first; k < run.indices.size(); ++k) {
+      patch.bounds.add(out_.positions[run.indices[k]]);
+    }
+    patch.planar = chart.planar;
+    patch.normal = front ? chart.normal : -chart.normal;
+    // The corners of a chart are coplanar up to rounding: a hair nearer to the eye is enough.
+    patch.offset = glm::dot(patch.normal, chart.origin) - 1e-4F;
+    run.patches.push_back(patch);
+  }
+  [[nodiscard]] std::size_t indexCount(const transfer::Chart& chart) {
+    return by_map_[materials_[chart.material].diffuse_image].indices.size();
   }
 
   /// The texel of the very cell that a point of a planar chart lies in; none under matter.
@@ -227,19 +249,29 @@ class Builder {
 
   void joinParts() {
     // Null sorts first.
-    for (const auto& [map, list] : by_map_) {
-      out_.parts.push_back({static_cast<std::uint32_t>(out_.indices.size()),
-                            static_cast<std::uint32_t>(list.size()), map});
-      out_.indices.insert(out_.indices.end(), list.begin(), list.end());
+    for (const auto& [map, run] : by_map_) {
+      const auto first = static_cast<std::uint32_t>(out_.indices.size());
+      out_.parts.push_back({first, static_cast<std::uint32_t>(run.indices.size()), map});
+      out_.indices.insert(out_.indices.end(), run.indices.begin(), run.indices.end());
+      for (DisplayMesh::Patch patch : run.patches) {
+        patch.first_index += first;
+        out_.patches.push_back(patch);
+      }
     }
   }
+
+  /// The triangles with one map.
+  struct Run {
+    std::vector<std::uint32_t> indices;
+    std::vector<DisplayMesh::Patch> patches;
+  };
 
   const geometry::Mesh& mesh_;
   const transfer::Texels& texels_;
   std::span<const scene::Material> materials_;
   bool has_maps_ = false;
   std::map<Place, std::vector<Corner>> corners_;
-  std::map<std::shared_ptr<const scene::Image>, std::vector<std::uint32_t>> by_map_;
+  std::map<std::shared_ptr<const scene::Image>, Run> by_map_;
   DisplayMesh out_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/math/box.h"
 #include "core/relight/lighting.h"
 #include "core/scene/scene.h"
 #include "core/transfer/operators.h"
@@ -26,11 +27,22 @@ struct DisplayMesh {
     std::shared_ptr<const scene::Image> map;  ///< null: none
   };
 
+  /// A run of triangles that is looked at from one side, or not seen at all.
+  struct Patch {
+    std::uint32_t first_index = 0;
+    std::uint32_t index_count = 0;
+    Box bounds;
+    bool planar = true;  ///< seen from where normal . eye > offset; else triangle by triangle
+    vec3 normal{0.0F};
+    float offset = 0.0F;
+  };
+
   std::vector<vec3> positions;  ///< scene-local
   std::vector<vec3> albedo;     ///< per vertex, map not applied
   std::vector<vec2> uvs;        ///< per vertex; empty when no part has a map
   std::vector<std::uint32_t> indices;
   std::vector<Part> parts;
+  std::vector<Patch> patches;  ///< all indices, in order; none reaches over a part's end
 
   /// Light of vertex v = sum of weights[k] * light of slots[k], k in first[v] .. first[v + 1].
   std::vector<std::uint32_t> first;
@@ -39,6 +51,12 @@ struct DisplayMesh {
 
   [[nodiscard]] std::size_t vertexCount() const { return positions.size(); }
 };
+
+/// The indices of what an eye sees, part by part: patches within the picture that face it.
+/// counts receives the number of indices per part; whole parts are left as they are when the mesh
+/// has no patches. clip_from_scene: the camera.
+std::vector<std::uint32_t> visibleIndices(const DisplayMesh& mesh, const glm::mat4& clip_from_scene,
+                                          const vec3& eye, std::vector<std::uint32_t>& counts);
 
 DisplayMesh makeDisplayMesh(const geometry::Mesh& mesh, const transfer::Texels& texels,
                             std::span<const scene::Material> materials);

@@ -33,7 +33,7 @@ vec2 sampleOffset(int k) {
   return kOffsets[static_cast<std::size_t>(k)];
 }
 
-glm::mat4 clipFromScene(vtkRenderer* renderer, double aspect, const vec2& shift) {
+glm::mat4 clipFromScene(vtkRenderer* renderer, double aspect) {
   vtkMatrix4x4* m =
       renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
   glm::mat4 clip;
@@ -42,9 +42,7 @@ glm::mat4 clipFromScene(vtkRenderer* renderer, double aspect, const vec2& shift)
       clip[column][row] = static_cast<float>(m->GetElement(row, column));
     }
   }
-  glm::mat4 shifted(1.0F);
-  shifted[3] = glm::vec4(shift, 0.0F, 1.0F);
-  return shifted * clip;
+  return clip;
 }
 
 }  // namespace
@@ -62,7 +60,10 @@ void PicturePass::shoot(vtkRenderer* renderer, int width, int height) {
   linear_.bind();
   const int* size = renderer->GetRenderWindow()->GetSize();
   const vec2 shift = 2.0F * sampleOffset(sample_) / vec2(width, height);
-  building.draw(clipFromScene(renderer, static_cast<double>(size[0]) / size[1], shift), vec3(0.0F));
+  const double* eye = renderer->GetActiveCamera()->GetPosition();
+  building.setView(clipFromScene(renderer, static_cast<double>(size[0]) / size[1]),
+                   vec3(dvec3(eye[0], eye[1], eye[2])));
+  building.draw(shift, vec3(0.0F));
   finished_.bind();
   display.draw(linear_);
   summed_ = false;

@@ -6,8 +6,8 @@
 namespace soffit::ui {
 namespace {
 
-/// About what a lit room has at exposure 0.
-constexpr float kLux = 60.0F;
+/// About what a dimly lit room has.
+constexpr float kLux = 250.0F;
 
 }  // namespace
 
