@@ -9,6 +9,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -28,7 +29,12 @@ MainWindow::MainWindow()
       start_(new StartPage),
       undo_(new QUndoGroup(this)) {
   setObjectName(QStringLiteral("main"));
-  pages_->addWidget(start_);
+  // In a scroll area, for its size must not decide how small the window can be.
+  auto* start = new QScrollArea;
+  start->setWidget(start_);
+  start->setWidgetResizable(true);
+  start->setFrameShape(QFrame::NoFrame);
+  pages_->addWidget(start);
   pages_->addWidget(workspace_.area);
   setCentralWidget(pages_);
   connect(start_, &StartPage::chosen, this, &MainWindow::open);
@@ -54,10 +60,7 @@ MainWindow::MainWindow()
 MainWindow::~MainWindow() = default;
 
 void MainWindow::showWorkspace(bool shown) {
-  pages_->setCurrentWidget(shown ? static_cast<QWidget*>(workspace_.area) : start_);
-  // A page that is not shown must not decide how small the window can be.
-  start_->setSizePolicy(shown ? QSizePolicy::Ignored : QSizePolicy::Preferred,
-                        shown ? QSizePolicy::Ignored : QSizePolicy::Preferred);
+  pages_->setCurrentIndex(shown ? 1 : 0);
   if (shown) {
     restoreState(docks_);
   } else {

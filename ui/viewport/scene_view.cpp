@@ -18,6 +18,9 @@ constexpr vec3 kHoveredColor{0.98F, 0.98F, 0.98F};
 /// Frames slower than this are drawn with fewer pixels while things move.
 constexpr double kFluentMs = 30.0;
 constexpr int kRestMs = 80;
+/// Where pictures are slow, one that shows a luminaire at its new place waits so long for its
+/// light.
+constexpr int kLateMs = 60;
 constexpr double kNearest = 0.03;
 
 }  // namespace
@@ -31,6 +34,9 @@ SceneView::SceneView(QWidget* parent) : VtkView(parent) {
   rest_.setSingleShot(true);
   rest_.setInterval(kRestMs);
   connect(&rest_, &QTimer::timeout, this, [this] { restart(); });
+  late_.setSingleShot(true);
+  late_.setInterval(kLateMs);
+  connect(&late_, &QTimer::timeout, this, &SceneView::restart);
   connect(&mesh_job_, &DisplayMeshJob::finished, this, &SceneView::onMeshFinished);
   connect(this, &VtkView::painted, this, &SceneView::refine);
 }
@@ -95,7 +101,11 @@ void SceneView::showLight() {
 
 void SceneView::setLuminaires(std::shared_ptr<const EmitterSet> luminaires) {
   luminaires_ = std::move(luminaires);
-  restart();
+  if (!moving_ || mesh_ == nullptr || full_frame_ms_ <= kFluentMs) {
+    restart();
+  } else if (!late_.isActive()) {
+    late_.start();
+  }
 }
 
 void SceneView::setSelection(const QStringList& names) {
@@ -160,6 +170,7 @@ double SceneView::movingScale() const {
 }
 
 void SceneView::restart() {
+  late_.stop();
   sample_ = 0;
   picture_stale_ = true;
   update();

@@ -109,6 +109,7 @@ class SceneView : public VtkView {
   int sample_ = 0;
   double full_frame_ms_ = 60.0;
   QTimer rest_;
+  QTimer late_;  ///< runs while luminaires that moved wait for their light
 };
 
 }  // namespace soffit::ui
