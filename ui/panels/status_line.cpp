@@ -49,6 +49,7 @@ StatusLine::StatusLine(QStatusBar* bar)
   progress_->setFixedHeight(10);
   cancel_->setText(tr("Cancel"));
   bar->setSizeGripEnabled(false);
+  bar->setContentsMargins(6, 0, 8, 0);
   bar->addWidget(stage_);
   bar->addWidget(progress_);
   bar->addWidget(cancel_);
