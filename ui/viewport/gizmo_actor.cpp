@@ -104,8 +104,9 @@ GizmoActor::GizmoActor(vtkRenderer* overlay) : parts_(std::make_unique<Parts>())
     if (i < 3) {
       addArrow(s, i);
     } else {
+      // Opaque: anything translucent would bring VTK's pass for it, two float pictures of the whole
+      // view at each frame.
       addPlane(s, i - 3);
-      s.actor->GetProperty()->SetOpacity(0.62);
     }
     s.finish(false);
     overlay->AddActor(s.actor);
