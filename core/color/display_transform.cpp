@@ -2,7 +2,6 @@
 #include "core/color/display_transform.h"
 
 #include "core/base/parallel.h"
-#include "core/color/display_config.h"
 #include "core/color/exposure.h"
 #include "core/color/ocio_config.h"
 
@@ -29,22 +28,6 @@ float clamped(float v) {
   return std::min(std::max(0.0F, v), 1.0F);
 }
 
-ocio::ConstCPUProcessorRcPtr makeProcessor(const ocio::Config& config,
-                                           const DisplayChoice& choice) {
-  auto transform = ocio::DisplayViewTransform::Create();
-  transform->setSrc(ocio::ROLE_SCENE_LINEAR);
-  transform->setDisplay(choice.display.c_str());
-  transform->setView(choice.view.c_str());
-  auto pipeline = ocio::LegacyViewingPipeline::Create();
-  pipeline->setDisplayViewTransform(transform);
-  if (!choice.look.empty()) {
-    pipeline->setLooksOverrideEnabled(true);
-    pipeline->setLooksOverride(choice.look.c_str());
-  }
-  const auto shared = std::shared_ptr<const ocio::Config>(&config, [](const ocio::Config*) {});
-  return pipeline->getProcessor(shared)->getOptimizedCPUProcessor(ocio::OPTIMIZATION_VERY_GOOD);
-}
-
 }  // namespace
 
 struct DisplayTransform::Impl {
@@ -62,26 +45,20 @@ struct DisplayTransform::Impl {
 };
 
 Result<DisplayTransform> DisplayTransform::create(const DisplayChoice& choice) {
-  std::filesystem::path path = choice.config;
-  if (path.empty()) {
-    const auto found = findDisplayConfig();
-    if (!found) return found.error();
-    path = *found;
-  }
-  auto config = loadConfig(path);
+  auto config = loadConfigFor(choice.config, choice.display, choice.view, choice.look);
   if (!config) return config.error();
-  const auto known = checkView(*config, choice.display, choice.view, choice.look);
-  if (!known) return known.error();
+  const std::string path = config->path;
   try {
     auto impl = std::make_shared<Impl>();
-    impl->processor =
-        makeProcessor(*static_cast<const ocio::Config*>(config->config.get()), choice);
+    const auto view = std::static_pointer_cast<const ocio::Processor>(
+        viewProcessor(*config, choice.display, choice.view, choice.look));
+    impl->processor = view->getOptimizedCPUProcessor(ocio::OPTIMIZATION_VERY_GOOD);
     impl->config = std::move(*config);
     DisplayTransform made;
     made.impl_ = std::move(impl);
     return made;
   } catch (const std::exception& e) {
-    return Error{path.string(),
+    return Error{path,
                  fmt::format("the view \"{}\" of display \"{}\" cannot be built ({})", choice.view,
                              choice.display, e.what()),
                  "Check the config and the tables beside it."};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/color/ocio_config.h"
 
+#include "core/color/display_config.h"
+
 #include <OpenColorIO/OpenColorIO.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -70,6 +72,36 @@ Result<void> checkView(const OcioConfig& config, const std::string& display,
   }
   if (!contains(looks, look)) return unknown(config, "look", look, looks);
   return {};
+}
+
+Result<OcioConfig> loadConfigFor(const std::filesystem::path& path, const std::string& display,
+                                 const std::string& view, const std::string& look) {
+  std::filesystem::path file = path;
+  if (file.empty()) {
+    const auto found = findDisplayConfig();
+    if (!found) return found.error();
+    file = *found;
+  }
+  auto config = loadConfig(file);
+  if (!config) return config.error();
+  if (const auto known = checkView(*config, display, view, look); !known) return known.error();
+  return config;
+}
+
+std::shared_ptr<const void> viewProcessor(const OcioConfig& config, const std::string& display,
+                                          const std::string& view, const std::string& look) {
+  auto transform = ocio::DisplayViewTransform::Create();
+  transform->setSrc(ocio::ROLE_SCENE_LINEAR);
+  transform->setDisplay(display.c_str());
+  transform->setView(view.c_str());
+  auto pipeline = ocio::LegacyViewingPipeline::Create();
+  pipeline->setDisplayViewTransform(transform);
+  if (!look.empty()) {
+    pipeline->setLooksOverrideEnabled(true);
+    pipeline->setLooksOverride(look.c_str());
+  }
+  const auto shared = std::static_pointer_cast<const ocio::Config>(config.config);
+  return pipeline->getProcessor(shared);
 }
 
 }  // namespace soffit::color

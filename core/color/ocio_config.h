@@ -27,4 +27,14 @@ Result<std::vector<std::string>> viewNames(const OcioConfig& config, const std::
 Result<void> checkView(const OcioConfig& config, const std::string& display,
                        const std::string& view, const std::string& look);
 
+/// The config at `path` (empty: findDisplayConfig()), known to have that view.
+/// Errors: findDisplayConfig(), loadConfig() and checkView().
+Result<OcioConfig> loadConfigFor(const std::filesystem::path& path, const std::string& display,
+                                 const std::string& view, const std::string& look);
+
+/// From scene-linear to the display's code values, through a view that the config has. The pointee
+/// is an OpenColorIO::Processor, alive as long as the config. Throws OpenColorIO's exceptions.
+std::shared_ptr<const void> viewProcessor(const OcioConfig& config, const std::string& display,
+                                          const std::string& view, const std::string& look);
+
 }  // namespace soffit::color

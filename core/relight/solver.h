@@ -53,6 +53,11 @@ class Solver {
   /// New reflectances without a bake.
   void setMaterials(std::span<const scene::Material> materials);
 
+  /// The same geometry with other reflectances, and no bake; this one stays as it is.
+  [[nodiscard]] std::shared_ptr<const Solver> repainted(std::span<const scene::Material> materials) const {
+    return std::make_shared<const Solver>(scene_, operators_, materials);
+  }
+
   /// Direct light of an emitter on all texels; bodies: blockers of all other luminaires' bodies.
   void direct(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies, Column& column,
               light::DirectCounts* counts = nullptr, StageTimes* times = nullptr) const;

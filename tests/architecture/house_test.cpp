@@ -39,8 +39,14 @@ const std::map<std::string, std::set<std::string>> kLeftOf{
     {"core/design", {"core/relight", "core/reference"}},
     {"core/render", {"core/relight"}},
     {"core/io", {"core/relight"}},
-    {"ui", {"core/design", "core/render", "core/io"}},
-    {"app", {"ui"}},
+    {"ui/document", {"core/io"}},
+    {"ui/jobs", {"ui/document", "core/design", "core/render"}},
+    {"ui/widgets", {"core/color"}},
+    {"ui/viewport", {"ui/jobs", "ui/widgets"}},
+    {"ui/panels", {"ui/viewport"}},
+    {"ui/actions", {"ui/panels"}},
+    {"ui/main_window", {"ui/actions"}},
+    {"app", {"ui/main_window"}},
 };
 
 bool mayInclude(const std::string& from, const std::string& to) {
@@ -61,7 +67,7 @@ struct Library {
 const std::vector<Library>& libraries() {
   static const std::vector<Library> list{
       {"Qt", std::regex("^(Qt[A-Za-z0-9]*/|Q[A-Z])"), "ui"},
-      {"VTK", std::regex("^vtk"), "ui"},
+      {"VTK", std::regex("^vtk"), "ui/viewport"},
       {"Embree", std::regex("^embree[0-9]*/"), "core/geometry"},
       {"Eigen", std::regex("^(Eigen|unsupported/Eigen)/"), "core/transfer"},
       {"oneTBB", std::regex("^(tbb|oneapi)/"), "core/base"},
@@ -87,7 +93,8 @@ std::vector<std::string> graphFaults(const SourceFile& file) {
   std::vector<std::string> faults;
   const std::string from = moduleOf(file.path);
   if (from.empty()) return faults;
-  if (from.starts_with("core/") && !kLeftOf.contains(from)) {
+  const bool modular = from.starts_with("core/") || from.starts_with("ui/");
+  if (modular && !kLeftOf.contains(from)) {
     faults.push_back(fmt::format("{}: '{}' is not a module of the picture", file.path, from));
   }
   for (const Include& include : includesOf(file.text)) {
@@ -112,7 +119,8 @@ std::vector<std::string> bannedIncludes(const SourceFile& file) {
       fault("headers of core include the standard library and GLM only");
     }
     for (const Library& library : libraries()) {
-      if (module != library.owner && std::regex_search(include.path, library.pattern)) {
+      const bool owned = module == library.owner || module.starts_with(library.owner + "/");
+      if (!owned && std::regex_search(include.path, library.pattern)) {
         fault(fmt::format("{} belongs to {}", library.name, library.owner));
       }
     }
@@ -165,8 +173,9 @@ TEST(HouseChecks, LinesAreCountedWithAndWithoutAFinalBreak) {
   EXPECT_EQ(lineCount("a\nb"), 2U);
 }
 
-TEST(HouseChecks, ModulesAreTheSecondFolderOfCore) {
+TEST(HouseChecks, ModulesAreTheSecondFolderOfCoreAndUi) {
   EXPECT_EQ(moduleOf("core/light/detail/mask.cpp"), "core/light");
+  EXPECT_EQ(moduleOf("ui/panels/log_panel.cpp"), "ui/panels");
   EXPECT_EQ(moduleOf("app/commands/bake.cpp"), "app");
   EXPECT_EQ(moduleOf("projects/generate.py"), "");
 }
@@ -181,12 +190,17 @@ TEST(HouseChecks, LeftMayNotIncludeRight) {
                           "\"core/transfer/bake.h\""));
   EXPECT_THAT(graphFaults({"core/utils/a.h", ""}),
               ElementsAre("core/utils/a.h: 'core/utils' is not a module of the picture"));
+  EXPECT_THAT(graphFaults({"ui/widgets/a.cpp", "#include \"ui/document/document.h\"\n"}),
+              ElementsAre("ui/widgets/a.cpp:1: ui/widgets may not include "
+                          "\"ui/document/document.h\""));
   EXPECT_THAT(graphFaults({"core/relight/a.cpp", "#include \"core/base/result.h\"\n"}), IsEmpty());
 }
 
 TEST(HouseChecks, ThirdPartyHeadersOutsideTheirOwnerAreFound) {
   EXPECT_THAT(bannedIncludes({"core/light/a.cpp", "#include <QWidget>\n"}),
               ElementsAre("core/light/a.cpp:1: <QWidget>: Qt belongs to ui"));
+  EXPECT_THAT(bannedIncludes({"ui/panels/a.cpp", "#include <QWidget>\n#include <vtkActor.h>\n"}),
+              ElementsAre("ui/panels/a.cpp:2: <vtkActor.h>: VTK belongs to ui/viewport"));
   EXPECT_THAT(bannedIncludes({"core/transfer/a.cpp", "#include <embree4/rtcore.h>\n"}),
               ElementsAre("core/transfer/a.cpp:1: <embree4/rtcore.h>: Embree belongs to "
                           "core/geometry"));

@@ -67,8 +67,8 @@ std::string moduleOf(std::string_view path) {
   const std::size_t first = path.find('/');
   if (first == std::string_view::npos) return "";
   const std::string_view top = path.substr(0, first);
-  if (top == "ui" || top == "app" || top == "tests") return std::string(top);
-  if (top != "core") return "";
+  if (top == "app" || top == "tests") return std::string(top);
+  if (top != "core" && top != "ui") return "";
   const std::size_t second = path.find('/', first + 1);
   return std::string(path.substr(0, second == std::string_view::npos ? first : second));
 }

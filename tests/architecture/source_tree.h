@@ -29,7 +29,8 @@ std::vector<Include> includesOf(std::string_view text);
 /// Lines of a text; a last line without a line break counts.
 std::size_t lineCount(std::string_view text);
 
-/// "core/light" for a file of core, "ui", "app" or "tests" for files below those, else "".
+/// "core/light" for a file of core, "ui/panels" for one of ui, "app" or "tests" for files below those,
+/// else "".
 std::string moduleOf(std::string_view path);
 
 /// C++, CMake, Python and shell files below app, core, ui, projects, resources, tests, packaging,

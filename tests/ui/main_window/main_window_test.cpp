@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "ui/main_window/main_window.h"
+
+#include "core/io/image/read_image.h"
+#include "ui/actions/file_dialogs.h"
+#include "ui/document/recent_files.h"
+#include "ui/widgets/theme.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QMessageBox>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QSurfaceFormat>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace soffit::ui {
+
+constexpr int kPatienceMs = 180000;
+
+class MainWindowTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    const QString source = QStringLiteral(SOFFIT_SOURCE_DIR "/projects/cornell/");
+    for (const char* ending : {"obj", "mtl"}) {
+      const QString name = QStringLiteral("cornell.") + QString::fromLatin1(ending);
+      QVERIFY(QFile::copy(source + name, folder_.filePath(name)));
+    }
+    qputenv("SOFFIT_CACHE", folder_.filePath(QStringLiteral("cache")).toUtf8());
+  }
+
+  void init() {
+    // Few texels: the tests are about the window.
+    QFile original(QStringLiteral(SOFFIT_SOURCE_DIR "/projects/cornell/cornell.soffit"));
+    QVERIFY(original.open(QIODevice::ReadOnly));
+    QByteArray text = original.readAll();
+    text.replace("\"quality\": \"interactive\"",
+                 "\"quality\": {\"preset\": \"draft\", \"texels\": 1500, \"trainings\": 8}");
+    project_ = folder_.filePath(QStringLiteral("cornell.soffit"));
+    QFile copy(project_);
+    QVERIFY(copy.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    copy.write(text);
+    copy.close();
+    window_ = std::make_unique<MainWindow>();
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_->open(project_);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->session() != nullptr, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(lit(), kPatienceMs);
+  }
+  void cleanup() { window_.reset(); }
+
+  void theProjectIsRemembered() {
+    QVERIFY(recentFiles().contains(QFileInfo(project_).absoluteFilePath()));
+  }
+
+  void selectionInTheListIsSelectionInTheView() {
+    auto* table = window_->workspace().lights->findChild<QTableView*>();
+    table->selectRow(0);
+    QCOMPARE(document().selection().size(), 1);
+    document().setSelection({});
+    QVERIFY(table->selectionModel()->selectedRows().isEmpty());
+  }
+
+  void duplicateDeleteAndSwitchAreUndone() {
+    const std::size_t count = document().luminaires().size();
+    selectFirst();
+    trigger(QStringLiteral("&Duplicate"));
+    QCOMPARE(document().luminaires().size(), count + 1);
+    trigger(QStringLiteral("De&lete"));
+    QCOMPARE(document().luminaires().size(), count);
+    selectFirst();
+    trigger(QStringLiteral("Switch &on or off"));
+    QVERIFY(!document().luminaires().front().on);
+    while (document().undoStack()->canUndo()) document().undoStack()->undo();
+    QCOMPARE(document().luminaires().size(), count);
+    QVERIFY(document().luminaires().front().on);
+  }
+
+  void layoutsAreDuplicatedAndChosen() {
+    const QString before = document().layout();
+    window_->workspace().layouts->duplicateShown();
+    QVERIFY(document().layout() != before);
+    document().undoStack()->undo();
+    QCOMPARE(document().scene()->layouts.size(), std::size_t{3});
+  }
+
+  void falseColoursComeAndGo() {
+    trigger(QStringLiteral("&False colours"));
+    QVERIFY(window_->workspace().area->view().look().false_color);
+    QVERIFY(window_->workspace().area->findChild<Legend*>()->isVisible());
+    trigger(QStringLiteral("&False colours"));
+    QVERIFY(!window_->workspace().area->view().look().false_color);
+  }
+
+  void theExportedPictureIsTheView() {
+    SceneView& view = window_->workspace().area->view();
+    const QImage picture = view.picture(view.pixelSize(), false);
+    const QString path = folder_.filePath(QStringLiteral("view.png"));
+    QVERIFY(writePicture(path, document(), picture).ok());
+    const QImage read(path);
+    QCOMPARE(read.size(), picture.size());
+    int most = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+      for (int x = 0; x < picture.width(); ++x) {
+        const QRgb a = read.pixel(x, y);
+        const QRgb b = picture.pixel(x, y);
+        most = std::max({most, std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)),
+                         std::abs(qBlue(a) - qBlue(b))});
+      }
+    }
+    QCOMPARE(most, 0);
+    const auto facts = io::readMetadata(path.toStdString());
+    QVERIFY(facts.ok());
+  }
+
+  void unsavedChangesAreAskedAbout() {
+    selectFirst();
+    trigger(QStringLiteral("Switch &on or off"));
+    QVERIFY(window_->isWindowModified());
+    answer(QMessageBox::Cancel);
+    QVERIFY(!window_->close());
+    QVERIFY(window_->session() != nullptr);
+    answer(QMessageBox::Save);
+    QVERIFY(window_->close());
+    const auto saved = io::loadProject(project_.toStdString());
+    QVERIFY(saved.ok());
+    const scene::Layout& layout = saved->scene.layouts.front();
+    QCOMPARE(layout.edits.size(), std::size_t{1});
+  }
+
+  void savingCleansTheTitle() {
+    selectFirst();
+    trigger(QStringLiteral("Switch &on or off"));
+    trigger(QStringLiteral("&Save"));
+    QVERIFY(!window_->isWindowModified());
+    document().undoStack()->undo();
+    QVERIFY(window_->isWindowModified());
+    trigger(QStringLiteral("&Save"));
+  }
+
+  void aFileThatIsNoneIsToldAndTheStartPageStays() {
+    QTimer::singleShot(500, this, [] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      QVERIFY(box != nullptr);
+      box->accept();
+    });
+    window_->open(folder_.filePath(QStringLiteral("none.soffit")));
+    QTest::qWait(1500);
+    QVERIFY(window_->session() == nullptr);
+  }
+
+  void bothThemesCanBeWorn() {
+    applyTheme(Theme::dark);
+    QVERIFY(QApplication::palette().color(QPalette::Window).lightness() < 128);
+    applyTheme(Theme::light);
+    QVERIFY(QApplication::palette().color(QPalette::Window).lightness() > 128);
+  }
+
+ private:
+  Document& document() { return window_->session()->document(); }
+  [[nodiscard]] bool lit() {
+    return window_->session() != nullptr && window_->session()->relighting().isCurrent() &&
+           window_->workspace().area->view().frame() != nullptr &&
+           !window_->workspace().area->view().readLinear().empty();
+  }
+  void selectFirst() {
+    document().setSelection({QString::fromStdString(document().luminaires().front().name)});
+  }
+  void trigger(const QString& text) {
+    for (QAction* action : window_->findChildren<QAction*>()) {
+      if (action->text() != text) continue;
+      QVERIFY(action->isEnabled());
+      action->trigger();
+      return;
+    }
+    QFAIL(qPrintable(QStringLiteral("no action ") + text));
+  }
+  void answer(QMessageBox::StandardButton button) {
+    QTimer::singleShot(200, this, [button] {
+      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+      QVERIFY(box != nullptr);
+      box->button(button)->click();
+    });
+  }
+
+  QTemporaryDir folder_;
+  QString project_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace soffit::ui
+
+int main(int argc, char** argv) {
+  QSurfaceFormat format;
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  QStandardPaths::setTestModeEnabled(true);
+  QApplication application(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("soffit-test"));
+  QApplication::setApplicationName(QStringLiteral("soffit-test"));
+  QSettings().clear();
+  soffit::ui::MainWindowTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "main_window_test.moc"

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include "ui/viewport/scene_view.h"
+
+#include "core/io/project/project.h"
+#include "core/relight/engine.h"
+#include "ui/document/document.h"
+#include "ui/viewport/picture_pass.h"
+#include "ui/viewport/view_input.h"
+
+#include <QMainWindow>
+#include <QSignalSpy>
+#include <QSurfaceFormat>
+#include <QTest>
+
+namespace soffit::ui {
+
+/// The Cornell-like sample with few texels and its light.
+struct Lit {
+  io::Project project;
+  LightFramePtr frame;
+};
+
+Lit lightCornell() {
+  auto project = io::loadProject(SOFFIT_SOURCE_DIR "/projects/cornell");
+  project->scene.quality.settings = {{"texels", 1500},  {"trainings", 8}, {"field_rays", 8},
+                                     {"list_rays", 16}, {"node_rays", 4}, {"max_rank", 8}};
+  relight::EngineReport report;
+  const auto quality = relight::qualitySettings(project->scene.quality);
+  const auto solver = relight::makeSolver(project->scene, *quality, false, {}, report);
+  relight::Lighting lighting(*solver);
+  (void)lighting.setLuminaires(project->scene.luminaires);
+  auto frame = std::make_shared<LightFrame>();
+  frame->solver = *solver;
+  frame->lux = lighting.total();
+  frame->emitters.assign(lighting.emitters().begin(), lighting.emitters().end());
+  return {std::move(*project), std::move(frame)};
+}
+
+class SceneViewTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() { lit_ = std::make_unique<Lit>(lightCornell()); }
+
+  void init() {
+    document_ = std::make_unique<Document>(lit_->project);
+    document_->setLayout({});
+    view_ = std::make_unique<SceneView>();
+    view_->resize(640, 400);
+    view_->setScene(document_->scene());
+    place();
+    connect(document_.get(), &Document::sceneChanged, view_.get(), [this] { place(); });
+    connect(document_.get(), &Document::selectionChanged, view_.get(),
+            [this] { view_->setSelection(document_->selection()); });
+    input_ = std::make_unique<ViewInput>(*view_);
+    input_->setDocument(document_.get());
+    view_->setViewCamera(ViewCamera::from(document_->scene()->cameras.front()));
+    QVERIFY(view_->setLook({}).ok());
+    view_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    QSignalSpy shown(view_.get(), &SceneView::lightShown);
+    view_->setFrame(lit_->frame);
+    QTRY_VERIFY_WITH_TIMEOUT(!shown.isEmpty(), 20000);
+  }
+  void cleanup() {
+    input_.reset();
+    view_.reset();
+    document_.reset();
+  }
+
+  void everyViewEqualsTheOneOfPicturesWithinOneCodeValue_data() {
+    QTest::addColumn<QByteArray>("name");
+    for (const char* name : {"Filmic", "ACES", "sRGB", "Reinhard"})
+      QTest::newRow(name) << QByteArray(name);
+  }
+  void everyViewEqualsTheOneOfPicturesWithinOneCodeValue() {
+    QFETCH(QByteArray, name);
+    Look look;
+    look.display.view = name.toStdString();
+    look.exposure_ev = 1.5;
+    QVERIFY(view_->setLook(look).ok());
+    const QImage shown = view_->picture({640, 400}, false, 1);
+    std::vector<vec3> linear = view_->readLinear();
+    QCOMPARE(linear.size(), std::size_t{640 * 400});
+    const auto transform = color::DisplayTransform::create(look.display);
+    QVERIFY(transform.ok());
+    std::vector<vec3> expected(linear.size());
+    transform->apply(linear, look.exposure_ev, expected);
+    int most = 0;
+    double sum = 0.0;
+    for (int y = 0; y < 400; ++y) {
+      const uchar* row = shown.constScanLine(399 - y);
+      for (int x = 0; x < 640; ++x) {
+        const vec3& e = expected[static_cast<std::size_t>(y * 640 + x)];
+        for (int c = 0; c < 3; ++c) {
+          const int code = static_cast<int>(std::lround(255.0F * e[c]));
+          most = std::max(most, std::abs(code - int{row[3 * x + c]}));
+          sum += code;
+        }
+      }
+    }
+    QVERIFY2(most <= 1, qPrintable(QString::number(most)));
+    QVERIFY2(sum / (3.0 * 640 * 400) > 20.0, "the picture is black");
+  }
+
+  void falseColoursEqualTheMapWithinOneCodeValue() {
+    Look look;
+    look.false_color = true;
+    look.range = {0.0, 400.0, false};
+    QVERIFY(view_->setLook(look).ok());
+    const QImage shown = view_->picture({640, 400}, false, 1);
+    view_->makeCurrent();
+    int width = 0;
+    int height = 0;
+    const std::vector<float> linear = view_->pass().readLinear(width, height);
+    view_->doneCurrent();
+    int most = 0;
+    int surfaces = 0;
+    for (int i = 0; i < 640 * 400; ++i) {
+      const float lux = linear[4 * static_cast<std::size_t>(i) + 3];
+      if (lux < 0.0F) continue;
+      ++surfaces;
+      const vec3 e = color::falseColor(lux, look.range);
+      const uchar* p = shown.constScanLine(399 - i / 640) + 3 * (i % 640);
+      for (int c = 0; c < 3; ++c)
+        most = std::max(most, std::abs(static_cast<int>(std::lround(255.0F * e[c])) - int{p[c]}));
+    }
+    QVERIFY2(most <= 1, qPrintable(QString::number(most)));
+    QVERIFY(surfaces > 640 * 400 / 4);
+  }
+
+  void theCursorReadsWhatIsShown() {
+    const QPointF mouse(320.5, 300.5);
+    const PointedAt at = view_->pointAt(mouse);
+    QVERIFY(at.surface.has_value());
+    QVERIFY(at.surface->lux > 1.0);
+    (void)view_->picture({640, 400}, false, 1);
+    view_->makeCurrent();
+    int width = 0;
+    int height = 0;
+    const auto linear = view_->pass().readLinear(width, height);
+    view_->doneCurrent();
+    const float lux = linear[4 * static_cast<std::size_t>((399 - 300) * 640 + 320) + 3];
+    // Bilinear against linear in triangles: within the bend of the light in one cell.
+    QVERIFY(std::abs(static_cast<double>(lux) - at.surface->lux) < 0.05 * at.surface->lux);
+  }
+
+  void aClickSelectsTheLuminaireAndAnotherNothing() {
+    const QPoint lamp = pixelOf(document_->luminaires().front().position);
+    QTest::mouseClick(view_.get(), Qt::LeftButton, {}, lamp);
+    QCOMPARE(document_->selection(),
+             QStringList{QString::fromStdString(document_->luminaires().front().name)});
+    QTest::mouseClick(view_.get(), Qt::LeftButton, {}, QPoint(320, 330));
+    QVERIFY(document_->selection().isEmpty());
+  }
+
+  void draggingALuminaireMovesItInItsPlaneAsOneStep() {
+    const light::Luminaire before = document_->luminaires().front();
+    const dvec3 wanted = before.position + dvec3(0.4, 0.3, 0.0);
+    drag(pixelOf(before.position), pixelOf(wanted));
+    const light::Luminaire& after = document_->luminaires().front();
+    const double pixel = view_->viewCamera().pixelSize(6.0, view_->viewSize());
+    QVERIFY(std::abs(after.position.z - before.position.z) < 1e-9);
+    QVERIFY(glm::length(dvec2(after.position) - dvec2(wanted)) < 12.0 * pixel);
+    QCOMPARE(document_->undoStack()->count(), 1);
+    document_->undoStack()->undo();
+    QVERIFY(glm::length(document_->luminaires().front().position - before.position) < 1e-12);
+  }
+
+  void draggingAnArrowMovesAlongItsAxis() {
+    const light::Luminaire before = document_->luminaires().front();
+    document_->setSelection({QString::fromStdString(before.name)});
+    const double length =
+        Gizmo::arrowLength(before.position, view_->viewCamera(), view_->viewSize());
+    const dvec3 grip = before.position - dvec3(0, 0, 0) + 0.8 * length * axisOf(0);
+    QCOMPARE(view_->gizmoPartAt(pixelOf(grip)), GizmoPart::x);
+    drag(pixelOf(grip), pixelOf(grip + 0.5 * axisOf(0)));
+    const light::Luminaire& after = document_->luminaires().front();
+    QVERIFY(after.position.x > before.position.x + 0.2);
+    QCOMPARE(after.position.y, before.position.y);
+    QCOMPARE(after.position.z, before.position.z);
+  }
+
+  void escapeGivesADragUp() {
+    const light::Luminaire before = document_->luminaires().front();
+    const QPoint from = pixelOf(before.position);
+    QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 10; ++i) QTest::mouseMove(view_.get(), from + QPoint(3 * i, 0));
+    QVERIFY(document_->previewing());
+    QTest::keyClick(view_.get(), Qt::Key_Escape);
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, from + QPoint(30, 0));
+    QCOMPARE(document_->undoStack()->count(), 0);
+    QVERIFY(glm::length(document_->luminaires().front().position - before.position) < 1e-12);
+  }
+
+  void orbitLeavesTheDocumentAlone() {
+    const dvec3 before = view_->viewCamera().position;
+    drag({320, 330}, {380, 340});
+    QVERIFY(glm::length(view_->viewCamera().position - before) > 0.05);
+    QCOMPARE(document_->undoStack()->count(), 0);
+  }
+
+  void theViewOutlivesDockingElsewhere() {
+    QMainWindow window;
+    window.resize(500, 400);
+    window.setCentralWidget(view_.get());
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    const int before = view_->frameCount();
+    view_->update();
+    QTRY_VERIFY(view_->frameCount() > before);
+    QVERIFY(meanOf(view_->grabFramebuffer()) > 10.0);
+    view_->setParent(nullptr);
+    view_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    view_->update();
+    QTRY_VERIFY(meanOf(view_->grabFramebuffer()) > 10.0);
+  }
+
+ private:
+  void place() {
+    view_->setScene(document_->scene());
+    view_->setLuminaires(std::make_shared<const EmitterSet>(document_->luminaires(),
+                                                            document_->scene()->mesh->origin));
+  }
+  [[nodiscard]] QPoint pixelOf(const dvec3& p) const {
+    const dvec3 at = view_->viewCamera().project(p, view_->viewSize());
+    return {static_cast<int>(at.x), static_cast<int>(at.y)};
+  }
+  void drag(const QPoint& from, const QPoint& to) {
+    constexpr int kSteps = 12;
+    QTest::mousePress(view_.get(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= kSteps; ++i)
+      QTest::mouseMove(view_.get(), from + (to - from) * i / kSteps);
+    QTest::mouseRelease(view_.get(), Qt::LeftButton, {}, to);
+  }
+  static double meanOf(const QImage& image) {
+    double sum = 0.0;
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) sum += qGray(image.pixel(x, y));
+    }
+    return sum / std::max(1, image.width() * image.height());
+  }
+
+  std::unique_ptr<Lit> lit_;
+  std::unique_ptr<Document> document_;
+  std::unique_ptr<SceneView> view_;
+  std::unique_ptr<ViewInput> input_;
+};
+
+}  // namespace soffit::ui
+
+int main(int argc, char** argv) {
+  QSurfaceFormat format;
+  format.setVersion(3, 2);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication application(argc, argv);
+  soffit::ui::SceneViewTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "scene_view_test.moc"

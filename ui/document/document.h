@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/io/project/project.h"
+#include "core/scene/edits.h"
+#include "ui/document/scene_command.h"
+
+#include <QObject>
+#include <QStringList>
+#include <QUndoStack>
+
+#include <functional>
+#include <vector>
+
+/// The project that is open. Knows no widget.
+namespace soffit::ui {
+
+/// A project in the hands of its user: immutable snapshots of the scene, the undo stack that leads
+/// from one to the next, the layout that is shown and what is selected.
+///
+/// Everything that changes the scene goes through edit() or a preview that ends in
+/// commitPreview(): one undo step each. Lives in the GUI thread.
+class Document : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Document(io::Project project, QObject* parent = nullptr);
+
+  [[nodiscard]] const ScenePtr& scene() const { return scene_; }
+  [[nodiscard]] const io::Project& project() const { return project_; }
+  [[nodiscard]] QString path() const;
+  [[nodiscard]] QString name() const;
+  [[nodiscard]] QUndoStack* undoStack() { return &undo_stack_; }
+  [[nodiscard]] bool isModified() const { return !undo_stack_.isClean(); }
+
+  /// The layout that is shown and edited; empty: the base.
+  [[nodiscard]] const QString& layout() const { return layout_; }
+  void setLayout(const QString& name);
+  /// The luminaires of the layout that is shown, in order.
+  [[nodiscard]] const std::vector<light::Luminaire>& luminaires() const { return luminaires_; }
+  [[nodiscard]] const light::Luminaire* luminaire(const QString& name) const;
+
+  [[nodiscard]] const QStringList& selection() const { return selection_; }
+  void setSelection(const QStringList& names);
+
+  /// Another scene, as one undo step. Consecutive edits with the same text and merge_key (not -1)
+  /// are one step. An equal scene is no step.
+  void edit(const QString& text, scene::Scene next, int merge_key = -1);
+  /// The same for the luminaires named: `change` alters each in place, in the layout that is shown.
+  void editLuminaires(const QString& text, const QStringList& names,
+                      const std::function<void(light::Luminaire&)>& change, int merge_key = -1);
+
+  /// Shows luminaires changed, without an undo step: the movement of a drag. Each call starts from
+  /// the scene before the preview.
+  void preview(const QStringList& names, const std::function<void(light::Luminaire&)>& change);
+  [[nodiscard]] bool previewing() const { return before_preview_ != nullptr; }
+  /// Makes the preview an undo step, or goes back to the scene before it.
+  void commitPreview(const QString& text);
+  void cancelPreview();
+
+  /// Writes the project (io::saveProject) and makes `file` its path.
+  /// Errors: saveProject()'s; nothing has changed then.
+  Result<void> save(const std::filesystem::path& file);
+
+ Q_SIGNALS:
+  void sceneChanged();      ///< another snapshot, or another layout of it
+  void layoutChanged();     ///< which layout is shown
+  void selectionChanged();  ///< which luminaires are selected
+  void pathChanged();
+  void modifiedChanged(bool modified);
+
+ private:
+  void show(const ScenePtr& scene, const QString& layout);
+  void resolve();
+  void dropMissingFromSelection();
+  [[nodiscard]] scene::Scene withChange(const scene::Scene& from, const QStringList& names,
+                                        const std::function<void(light::Luminaire&)>& change) const;
+
+  io::Project project_;
+  ScenePtr scene_;
+  ScenePtr before_preview_;
+  QString layout_;
+  std::vector<light::Luminaire> luminaires_;
+  QStringList selection_;
+  QUndoStack undo_stack_;
+};
+
+}  // namespace soffit::ui

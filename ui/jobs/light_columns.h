@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/relight/lighting.h"
+#include "core/scene/scene.h"
+
+#include <list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace soffit::ui {
+
+/// Light that was computed stays: a Lighting per layout, so that going to and fro between layouts
+/// costs a sum, and a drag keeps one luminaire in hand. Belongs to one thread.
+class LightColumns {
+ public:
+  /// Another solver: all light is computed anew.
+  void setSolver(std::shared_ptr<const relight::Solver> solver);
+  [[nodiscard]] const std::shared_ptr<const relight::Solver>& solver() const { return solver_; }
+
+  /// Total light of a layout's luminaires. in_hand: the one that is being dragged; as long as it
+  /// stays the same and nothing else changes, a call costs one move.
+  /// Errors: makeEmitter's; cancelled (what was computed until then is kept).
+  struct Answer {
+    relight::Planes lux;
+    relight::StageTimes times;
+    std::vector<light::Emitter> emitters;
+  };
+  Result<Answer> light(const std::string& layout, const std::vector<light::Luminaire>& luminaires,
+                       std::optional<std::size_t> in_hand, const Job& job);
+
+ private:
+  struct Entry {
+    std::string layout;
+    std::unique_ptr<relight::Lighting> lighting;
+    std::vector<light::Luminaire> luminaires;  ///< the state of `lighting`
+    std::optional<std::size_t> grabbed;
+  };
+  Entry& entryOf(const std::string& layout);
+  static bool onlyMoved(const Entry& entry, const std::vector<light::Luminaire>& luminaires,
+                        std::size_t in_hand);
+  static Result<void> take(Entry& entry, const std::vector<light::Luminaire>& luminaires,
+                           const Job& job);
+
+  std::shared_ptr<const relight::Solver> solver_;
+  std::list<Entry> entries_;  ///< the layout used last in front
+};
+
+}  // namespace soffit::ui

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/ray_caster.h"
+#include "core/light/emitter.h"
+#include "core/relight/lighting.h"
+#include "core/scene/scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace soffit::ui {
+
+/// Finished light of one state of the scene: what the viewport shows and the cursor reads.
+/// Immutable once handed over.
+struct LightFrame {
+  std::shared_ptr<const relight::Solver> solver;  ///< whose texels the planes belong to
+  relight::Planes lux;                            ///< RGB per slot, all luminaires
+  std::vector<light::Emitter> emitters;           ///< scene-local, in the order of the luminaires
+  std::vector<std::string> names;                 ///< of the luminaires
+  std::uint64_t revision = 0;                     ///< of the request that it answers
+  relight::StageTimes times;                      ///< of a move; zero otherwise
+  double milliseconds = 0.0;                      ///< from taking up the request to the planes
+};
+using LightFramePtr = std::shared_ptr<const LightFrame>;
+
+/// What is seen at a point of a surface.
+struct SurfaceReading {
+  dvec3 position{0.0};  ///< world
+  vec3 normal{0.0F};    ///< unit, toward the eye
+  std::uint32_t triangle = 0;
+  double lux = 0.0;        ///< illuminance, as the texels around the point hold it
+  double luminance = 0.0;  ///< cd/m^2 of the diffuse reflection
+  std::string material;
+};
+
+/// The surface that a ray meets (scene-local, unit direction), front or back; nothing where it
+/// meets none or only sides that carry no light.
+std::optional<SurfaceReading> readSurface(const LightFrame& frame, const scene::Scene& scene,
+                                          const geometry::Ray& ray);
+
+}  // namespace soffit::ui

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "ui/jobs/relight_worker.h"
+
+#include "core/scene/equality.h"
+#include "ui/document/text.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace soffit::ui {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+bool sameReflectances(const std::vector<scene::Material>& a,
+                      const std::vector<scene::Material>& b) {
+  return std::ranges::equal(a, b, [](const scene::Material& x, const scene::Material& y) {
+    return scene::sameReflectance(x, y);
+  });
+}
+
+}  // namespace
+
+RelightWorker::RelightWorker(bool use_cache, QObject* parent)
+    : QObject(parent), use_cache_(use_cache) {
+  connect(&relay_, &ProgressRelay::progressed, this, &RelightWorker::progressed);
+  thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+RelightWorker::~RelightWorker() {
+  thread_.request_stop();
+  {
+    const std::scoped_lock lock(mutex_);
+    current_.request_stop();
+  }
+  wake_.notify_all();
+  thread_.join();
+  const std::scoped_lock lock(bake_mutex_);
+  bake_.reset();  // joins, and its callbacks use this object
+}
+
+void RelightWorker::request(LightRequest request) {
+  {
+    const std::scoped_lock lock(mutex_);
+    newest_ = std::move(request);
+    current_.request_stop();
+  }
+  wake_.notify_all();
+}
+
+void RelightWorker::cancelBake() {
+  const std::scoped_lock lock(bake_mutex_);
+  if (bake_ != nullptr) bake_->cancel();
+}
+
+LightFramePtr RelightWorker::takeFrame() {
+  const std::scoped_lock lock(mutex_);
+  return std::exchange(frame_, nullptr);
+}
+
+void RelightWorker::publish(LightFramePtr frame) {
+  {
+    const std::scoped_lock lock(mutex_);
+    frame_ = std::move(frame);
+  }
+  Q_EMIT frameReady();
+}
+
+void RelightWorker::onSolver(Result<SolverBake::Outcome> outcome) {
+  if (!outcome) {
+    if (outcome.error().what == "cancelled") {
+      Q_EMIT bakeFinished(QString());
+    } else {
+      Q_EMIT failed(messageOf(outcome.error()));
+      Q_EMIT bakeFinished(QString());
+    }
+    return;
+  }
+  {
+    const std::scoped_lock lock(mutex_);
+    arrived_ = *outcome;
+    // What is being computed belongs to the older solver.
+    current_.request_stop();
+  }
+  wake_.notify_all();
+  if (outcome->coarse) return;
+  const relight::EngineReport& report = outcome->report;
+  const auto texels = outcome->solver->operators().texels.texelCount();
+  const QString how = report.cached ? tr("from the cache")
+                                    : tr("computed in %1 s").arg(report.bake.seconds, 0, 'f', 1);
+  for (const std::string& message : report.messages) Q_EMIT failed(toQt(message));
+  Q_EMIT bakeFinished(tr("Light transport %1: %2 points, %3 MB")
+                          .arg(how)
+                          .arg(texels)
+                          .arg(static_cast<double>(report.bytes) / 1e6, 0, 'f', 0));
+}
+
+void RelightWorker::run(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    std::stop_token give_up;
+    {
+      std::unique_lock lock(mutex_);
+      wake_.wait(lock, stop, [this] { return newest_.has_value() || arrived_.has_value(); });
+      if (stop.stop_requested()) return;
+      if (newest_) last_ = std::exchange(newest_, std::nullopt);
+      if (arrived_) {
+        columns_.setSolver(arrived_->solver);
+        materials_ = arrived_->scene->materials;
+        arrived_.reset();
+      }
+      current_ = std::stop_source();
+      give_up = current_.get_token();
+    }
+    if (last_) serve(*last_, give_up);
+  }
+}
+
+void RelightWorker::ensureBake(const LightRequest& request) {
+  const std::scoped_lock lock(bake_mutex_);
+  if (bake_ != nullptr && bake_->serves(*request.scene)) return;
+  bake_.reset();
+  columns_.setSolver(nullptr);
+  bake_ = std::make_unique<SolverBake>(
+      request.scene, use_cache_, &relay_,
+      [this](Result<SolverBake::Outcome> outcome) { onSolver(std::move(outcome)); });
+}
+
+void RelightWorker::ensureMaterials(const LightRequest& request) {
+  if (sameReflectances(materials_, request.scene->materials)) return;
+  materials_ = request.scene->materials;
+  columns_.setSolver(columns_.solver()->repainted(materials_));
+}
+
+void RelightWorker::serve(const LightRequest& request, const std::stop_token& stop) {
+  const auto start = Clock::now();
+  ensureBake(request);
+  if (columns_.solver() == nullptr) return;  // its arrival wakes this thread
+  ensureMaterials(request);
+  auto answer =
+      columns_.light(request.layout, request.luminaires, request.in_hand, Job{nullptr, stop});
+  if (!answer) {
+    if (!stop.stop_requested()) Q_EMIT failed(messageOf(answer.error()));
+    return;
+  }
+  auto frame = std::make_shared<LightFrame>();
+  frame->solver = columns_.solver();
+  frame->lux = std::move(answer->lux);
+  frame->times = answer->times;
+  frame->emitters = std::move(answer->emitters);
+  for (const light::Luminaire& l : request.luminaires) frame->names.push_back(l.name);
+  frame->revision = request.revision;
+  frame->milliseconds = millisecondsSince(start);
+  publish(std::move(frame));
+}
+
+}  // namespace soffit::ui

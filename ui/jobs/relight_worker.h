@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ui/document/scene_command.h"
+#include "ui/jobs/light_columns.h"
+#include "ui/jobs/light_frame.h"
+#include "ui/jobs/progress_relay.h"
+#include "ui/jobs/solver_bake.h"
+
+#include <QObject>
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace soffit::ui {
+
+/// A state of the scene whose light is wanted.
+struct LightRequest {
+  ScenePtr scene;
+  std::string layout;                        ///< name, empty for the base
+  std::vector<light::Luminaire> luminaires;  ///< of that layout
+  std::optional<std::size_t> in_hand;        ///< the luminaire that is being dragged
+  std::uint64_t revision = 0;                ///< rising
+};
+
+/// The light engine off the GUI thread (design.md § 8): the newest request wins, stale work is
+/// given up, finished light is handed over whole.
+///
+/// The building is precomputed on a second thread; coarse light comes first and can be worked with,
+/// finer light replaces it. Methods are called from, and signals arrive in, the GUI thread.
+class RelightWorker : public QObject {
+  Q_OBJECT
+
+ public:
+  /// use_cache  see SolverBake.
+  explicit RelightWorker(bool use_cache = true, QObject* parent = nullptr);
+  ~RelightWorker() override;
+
+  void request(LightRequest request);
+  /// Gives up the precomputation; the coarse light stays, if there is any.
+  void cancelBake();
+  /// The newest finished light, once each; null when there is nothing new.
+  LightFramePtr takeFrame();
+
+ Q_SIGNALS:
+  void frameReady();
+  void progressed(const QString& stage, double done);
+  /// The precomputation ended: detail is a line for the log, empty when it was cancelled.
+  void bakeFinished(const QString& detail);
+  void failed(const QString& message);
+
+ private:
+  void run(const std::stop_token& stop);
+  void serve(const LightRequest& request, const std::stop_token& stop);
+  void ensureBake(const LightRequest& request);
+  void ensureMaterials(const LightRequest& request);
+  void onSolver(Result<SolverBake::Outcome> outcome);
+  void publish(LightFramePtr frame);
+
+  const bool use_cache_;
+  ProgressRelay relay_;
+
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::optional<LightRequest> newest_;          // guarded by mutex_
+  std::optional<SolverBake::Outcome> arrived_;  // guarded by mutex_
+  LightFramePtr frame_;                         // guarded by mutex_
+  std::stop_source current_;                    // guarded by mutex_
+
+  // Of the light thread alone.
+  LightColumns columns_;
+  std::vector<scene::Material> materials_;
+  std::optional<LightRequest> last_;
+
+  std::mutex bake_mutex_;
+  std::unique_ptr<SolverBake> bake_;  // guarded by bake_mutex_
+  std::jthread thread_;
+};
+
+}  // namespace soffit::ui

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "ui/jobs/relighting.h"
+
+#include "ui/document/text.h"
+
+#include <algorithm>
+
+namespace soffit::ui {
+
+Relighting::Relighting(Document& document, bool use_cache, QObject* parent)
+    : QObject(parent), document_(document), worker_(use_cache) {
+  connect(&document_, &Document::sceneChanged, this, &Relighting::request);
+  connect(&worker_, &RelightWorker::frameReady, this, [this] {
+    LightFramePtr frame = worker_.takeFrame();
+    if (frame == nullptr) return;
+    frame_ = std::move(frame);
+    Q_EMIT frameChanged();
+  });
+  request();
+}
+
+bool Relighting::isCurrent() const {
+  return frame_ != nullptr && frame_->revision == revision_;
+}
+
+void Relighting::request() {
+  LightRequest request;
+  request.scene = document_.scene();
+  request.layout = toStd(document_.layout());
+  request.luminaires = document_.luminaires();
+  request.revision = ++revision_;
+  if (document_.previewing() && document_.selection().size() == 1) {
+    const auto found = std::ranges::find(request.luminaires, toStd(document_.selection().front()),
+                                         &light::Luminaire::name);
+    if (found != request.luminaires.end()) {
+      request.in_hand = static_cast<std::size_t>(found - request.luminaires.begin());
+    }
+  }
+  worker_.request(std::move(request));
+}
+
+}  // namespace soffit::ui

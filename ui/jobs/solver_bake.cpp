@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "ui/jobs/solver_bake.h"
+
+#include "core/scene/equality.h"
+
+#include <utility>
+
+namespace soffit::ui {
+
+SolverBake::SolverBake(std::shared_ptr<const scene::Scene> scene, bool use_cache,
+                       ProgressObserver* observer, Done done)
+    : scene_(std::move(scene)),
+      thread_([this, use_cache, observer, done = std::move(done)](const std::stop_token& stop) {
+        run(use_cache, observer, done, stop);
+      }) {}
+
+bool SolverBake::serves(const scene::Scene& scene) const {
+  return scene.mesh == scene_->mesh && scene::same(scene.quality, scene_->quality);
+}
+
+void SolverBake::run(bool use_cache, ProgressObserver* observer, const Done& done,
+                     const std::stop_token& stop) const {
+  const auto quality = relight::qualitySettings(scene_->quality);
+  if (!quality) {
+    done(quality.error());
+    return;
+  }
+  const Job job{observer, stop};
+  // The coarse operators come before makeSolver() has handed over the geometry that belongs to
+  // them: they get a static scene of their own, equal to the bake's.
+  const auto on_coarse = [&](const std::shared_ptr<const transfer::Operators>& operators) {
+    if (stop.stop_requested()) return;
+    auto solver = std::make_shared<relight::Solver>(relight::makeStaticScene(*scene_), operators,
+                                                    scene_->materials);
+    done(Outcome{std::move(solver), scene_, true, {}});
+  };
+  relight::EngineReport report;
+  auto solver = relight::makeSolver(*scene_, *quality, use_cache, job, report, on_coarse);
+  if (stop.stop_requested()) {
+    done(Error{"precompute", "cancelled", ""});
+    return;
+  }
+  if (!solver) {
+    done(solver.error());
+    return;
+  }
+  done(Outcome{*solver, scene_, false, std::move(report)});
+}
+
+}  // namespace soffit::ui

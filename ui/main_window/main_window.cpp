@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "ui/main_window/main_window.h"
+
+#include "ui/actions/file_dialogs.h"
+#include "ui/document/recent_files.h"
+#include "ui/document/text.h"
+#include "ui/jobs/load_job.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QScreen>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QUndoGroup>
+
+namespace soffit::ui {
+namespace {
+
+constexpr QSize kSize(1440, 900);
+constexpr QSize kFrame(16, 48);  ///< what the desktop's own frame may take
+
+}  // namespace
+
+MainWindow::MainWindow()
+    : workspace_(makeWorkspace(*this)),
+      pages_(new QStackedWidget),
+      start_(new StartPage),
+      undo_(new QUndoGroup(this)) {
+  setObjectName(QStringLiteral("main"));
+  // In a scroll area, for its size must not decide how small the window can be.
+  auto* start = new QScrollArea;
+  start->setWidget(start_);
+  start->setWidgetResizable(true);
+  start->setFrameShape(QFrame::NoFrame);
+  pages_->addWidget(start);
+  pages_->addWidget(workspace_.area);
+  setCentralWidget(pages_);
+  connect(start_, &StartPage::chosen, this, &MainWindow::open);
+  connect(start_, &StartPage::openRequested, this, [this] {
+    const QString path = askProjectToOpen(this);
+    if (!path.isEmpty()) open(path);
+  });
+  connect(workspace_.status, &StatusLine::cancelRequested, this, [this] {
+    if (load_ != nullptr) load_->cancel();
+  });
+  connect(&workspace_.area->input(), &ViewInput::editRequested, workspace_.luminaire, [this] {
+    workspace_.docks.front()->show();
+    workspace_.docks.front()->raise();
+  });
+  makeMenus();
+  resize(kSize.boundedTo(screen()->availableSize() - kFrame));
+  const QSettings settings;
+  restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+  restoreState(settings.value(QStringLiteral("window/docks")).toByteArray());
+  showWorkspace(false);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::showWorkspace(bool shown) {
+  pages_->setCurrentIndex(shown ? 1 : 0);
+  if (shown) {
+    restoreState(docks_);
+  } else {
+    docks_ = saveState();
+    for (QDockWidget* dock : workspace_.docks) dock->hide();
+  }
+  for (QAction* action : project_actions_) action->setEnabled(shown);
+  if (!shown) start_->refresh();
+  updateTitle();
+}
+
+void MainWindow::open(const QString& path) {
+  if (!closeProject()) return;
+  load_ = std::make_unique<LoadJob>(path);
+  connect(load_.get(), &LoadJob::progressed, workspace_.status, &StatusLine::showProgress);
+  connect(load_.get(), &LoadJob::loaded, this, &MainWindow::finishOpening);
+  connect(load_.get(), &LoadJob::failed, this, [this](const QString& message) {
+    workspace_.status->endProgress();
+    workspace_.log->addWarning(message);
+    showError(this, tr("The project was not opened"), message);
+  });
+  workspace_.status->showProgress(tr("opening %1").arg(path), 0.0);
+}
+
+void MainWindow::finishOpening() {
+  workspace_.status->endProgress();
+  showWorkspace(true);
+  session_ = std::make_unique<ProjectSession>(load_->take(), workspace_);
+  Document& document = session_->document();
+  rememberFile(document.path());
+  undo_->addStack(document.undoStack());
+  undo_->setActiveStack(document.undoStack());
+  connect(&document, &Document::modifiedChanged, this, &MainWindow::updateTitle);
+  connect(&document, &Document::pathChanged, this, &MainWindow::updateTitle);
+  workspace_.area->view().setFocus();
+  updateTitle();
+}
+
+bool MainWindow::closeProject() {
+  load_.reset();
+  if (session_ == nullptr) return true;
+  if (!mayClose(this, session_->document())) return false;
+  session_.reset();
+  return true;
+}
+
+void MainWindow::updateTitle() {
+  if (session_ == nullptr) {
+    setWindowTitle(tr("Soffit"));
+    setWindowModified(false);
+    return;
+  }
+  setWindowTitle(tr("%1[*] \u2013 Soffit").arg(session_->document().name()));
+  setWindowFilePath(session_->document().path());
+  setWindowModified(session_->document().isModified());
+}
+
+void MainWindow::exportView() {
+  SceneView& view = workspace_.area->view();
+  const QImage picture = view.picture(view.pixelSize(), false);
+  if (exportPicture(this, session_->document(), picture)) {
+    workspace_.log->addLine(tr("Exported the view"));
+  }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  QSettings settings;
+  settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("window/docks"), session_ == nullptr ? docks_ : saveState());
+  event->setAccepted(closeProject());
+}
+
+}  // namespace soffit::ui

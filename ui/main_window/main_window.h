@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ui/main_window/project_session.h"
+#include "ui/main_window/workspace.h"
+#include "ui/panels/start_page.h"
+
+#include <QMainWindow>
+
+#include <memory>
+
+class QStackedWidget;
+class QUndoGroup;
+
+namespace soffit::ui {
+
+class LoadJob;
+
+/// The window: start page or workspace, and the menus. Assembles; what happens lies in the parts.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  MainWindow();
+  ~MainWindow() override;
+
+  /// Opens a project; reading goes on in the background.
+  void open(const QString& path);
+  [[nodiscard]] ProjectSession* session() { return session_.get(); }
+  [[nodiscard]] Workspace& workspace() { return workspace_; }
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  void makeMenus();
+  void makeFileMenu();
+  void makeEditMenu();
+  void makeViewMenu();
+  void makeLuminaireMenu();
+  void makeOtherMenus();
+  void finishOpening();
+  void showWorkspace(bool shown);
+  void updateTitle();
+  bool closeProject();
+  void exportView();
+  void showAbout();
+  /// A menu entry that is there only while a project is open.
+  void forProject(QAction* action);
+
+  Workspace workspace_;
+  QStackedWidget* pages_;
+  StartPage* start_;
+  QUndoGroup* undo_;
+  QList<QAction*> project_actions_;
+  QByteArray docks_;  ///< their places while the start page is shown
+  std::unique_ptr<LoadJob> load_;
+  std::unique_ptr<ProjectSession> session_;
+};
+
+}  // namespace soffit::ui

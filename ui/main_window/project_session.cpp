@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "ui/main_window/project_session.h"
+
+#include "core/color/exposure.h"
+#include "core/io/project/starting_place.h"
+#include "ui/document/text.h"
+#include "ui/viewport/picture_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace soffit::ui {
+namespace {
+
+/// Nearly all surfaces are below this share of the sorted values.
+constexpr double kNearlyAll = 0.98;
+
+double percentileLux(const LightFrame& frame) {
+  std::vector<float> lux;
+  for (std::size_t i = 0; i < frame.lux[0].size(); i += 7) {
+    lux.push_back(0.2126F * frame.lux[0][i] + 0.7152F * frame.lux[1][i] +
+                  0.0722F * frame.lux[2][i]);
+  }
+  if (lux.empty()) return 0.0;
+  const auto rank = static_cast<std::ptrdiff_t>(kNearlyAll * static_cast<double>(lux.size() - 1));
+  std::nth_element(lux.begin(), lux.begin() + rank, lux.end());
+  return static_cast<double>(lux[static_cast<std::size_t>(rank)]);
+}
+
+}  // namespace
+
+ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObject* parent)
+    : QObject(parent),
+      document_(std::move(project)),
+      workspace_(workspace),
+      relighting_(document_) {
+  SceneView& view = workspace_.area->view();
+  view.setScene(document_.scene());
+  workspace_.area->input().setDocument(&document_);
+  workspace_.lights->setDocument(&document_);
+  workspace_.luminaire->setDocument(&document_);
+  workspace_.layouts->setDocument(&document_);
+  workspace_.view->setDocument(&document_);
+  for (const std::string& warning : document_.project().warnings) {
+    workspace_.log->addWarning(toQt(warning));
+  }
+  connectView();
+  connectPanels();
+  connectProgress();
+  placeLuminaires();
+  const auto& cameras = document_.scene()->cameras;
+  if (!cameras.empty()) {
+    showCamera(toQt(cameras.front().name));
+  } else if (document_.scene()->mesh->triangleCount() > 0) {
+    view.setViewCamera(ViewCamera::from(io::startingPlace(*document_.scene()->mesh).camera));
+  }
+  workspace_.area->setNotice(tr("Computing the first light\u2026"));
+}
+
+ProjectSession::~ProjectSession() {
+  workspace_.area->input().setDocument(nullptr);
+  workspace_.lights->setDocument(nullptr);
+  workspace_.luminaire->setDocument(nullptr);
+  workspace_.layouts->setDocument(nullptr);
+  workspace_.view->setDocument(nullptr);
+  workspace_.status->endProgress();
+  workspace_.area->setNotice({});
+  workspace_.area->view().setSelection({});
+  workspace_.area->view().setLuminaires(nullptr);
+  workspace_.area->view().setScene(nullptr);
+}
+
+void ProjectSession::connectView() {
+  SceneView& view = workspace_.area->view();
+  connect(&relighting_, &Relighting::frameChanged, this, &ProjectSession::onFrame);
+  connect(&document_, &Document::sceneChanged, this, [this] {
+    workspace_.area->view().setScene(document_.scene());
+    placeLuminaires();
+  });
+  connect(&document_, &Document::selectionChanged, this,
+          [this] { workspace_.area->view().setSelection(document_.selection()); });
+  connect(&view, &SceneView::lightShown, this, [this](quint64, double frame_ms) {
+    workspace_.area->setNotice({});
+    if (relighting_.frame() != nullptr) {
+      workspace_.status->showLight(*relighting_.frame(), frame_ms);
+    }
+  });
+  connect(&workspace_.area->input(), &ViewInput::pointed, this,
+          [this](const PointedAt& at) { workspace_.status->showReading(at.surface); });
+  connect(&workspace_.area->input(), &ViewInput::left, this,
+          [this] { workspace_.status->showReading(std::nullopt); });
+}
+
+void ProjectSession::connectPanels() {
+  ViewPanel* panel = workspace_.view;
+  const auto take_look = [this, panel] {
+    const auto set = workspace_.area->setLook(panel->look());
+    if (!set) workspace_.log->addWarning(messageOf(set.error()));
+  };
+  connect(panel, &ViewPanel::lookChanged, this, take_look);
+  connect(panel, &ViewPanel::cameraChosen, this, &ProjectSession::showCamera);
+  connect(panel, &ViewPanel::saveCameraRequested, this, &ProjectSession::saveCamera);
+  connect(panel, &ViewPanel::autoExposureRequested, this, &ProjectSession::exposeAutomatically);
+  take_look();
+}
+
+void ProjectSession::connectProgress() {
+  RelightWorker& worker = relighting_.worker();
+  connect(&worker, &RelightWorker::progressed, workspace_.status, &StatusLine::showProgress);
+  connect(&worker, &RelightWorker::bakeFinished, this, [this](const QString& detail) {
+    workspace_.status->endProgress();
+    workspace_.log->addLine(detail.isEmpty() ? tr("The precomputation was cancelled") : detail);
+    if (relighting_.frame() == nullptr && detail.isEmpty())
+      workspace_.area->setNotice(tr("No light was computed"));
+  });
+  connect(&worker, &RelightWorker::failed, workspace_.log, &LogPanel::addWarning);
+  connect(workspace_.status, &StatusLine::cancelRequested, &worker, &RelightWorker::cancelBake);
+}
+
+void ProjectSession::onFrame() {
+  workspace_.area->view().setFrame(relighting_.frame());
+  if (!document_.previewing()) {
+    workspace_.view->suggestRange(color::roundRange(percentileLux(*relighting_.frame())));
+  }
+}
+
+void ProjectSession::placeLuminaires() {
+  workspace_.area->view().setLuminaires(
+      std::make_shared<const EmitterSet>(document_.luminaires(), document_.scene()->mesh->origin));
+}
+
+void ProjectSession::showCamera(const QString& name) {
+  for (const scene::Camera& camera : document_.scene()->cameras) {
+    if (toQt(camera.name) == name) workspace_.area->view().setViewCamera(ViewCamera::from(camera));
+  }
+}
+
+void ProjectSession::saveCamera() {
+  scene::Scene next = *document_.scene();
+  std::string name;
+  for (std::size_t i = next.cameras.size() + 1; name.empty(); ++i) {
+    const std::string candidate = toStd(tr("View %1").arg(i));
+    if (std::ranges::find(next.cameras, candidate, &scene::Camera::name) == next.cameras.end()) {
+      name = candidate;
+    }
+  }
+  next.cameras.push_back(workspace_.area->view().viewCamera().toScene(name));
+  document_.edit(tr("Save camera"), std::move(next));
+}
+
+void ProjectSession::exposeAutomatically() {
+  const auto picture = workspace_.area->view().readLinear();
+  if (picture.empty()) return;
+  scene::Scene next = *document_.scene();
+  next.view.exposure = std::round(20.0 * color::autoExposure(picture)) / 20.0;
+  document_.edit(tr("Exposure"), std::move(next));
+}
+
+}  // namespace soffit::ui

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "ui/main_window/workspace.h"
+
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QScrollArea>
+#include <QStatusBar>
+
+namespace soffit::ui {
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("Workspace", text);
+}
+
+QDockWidget* dock(QMainWindow& window, Workspace& workspace, Qt::DockWidgetArea area,
+                  const QString& title, const char* name, QWidget* panel) {
+  auto* dock = new QDockWidget(title, &window);
+  dock->setObjectName(QString::fromLatin1(name));
+  dock->setWidget(panel);
+  window.addDockWidget(area, dock);
+  workspace.docks.push_back(dock);
+  return dock;
+}
+
+QWidget* scrolled(QWidget* panel) {
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(panel);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(250);
+  return scroll;
+}
+
+}  // namespace
+
+Workspace makeWorkspace(QMainWindow& window) {
+  Workspace w;
+  w.area = new ViewArea;
+  w.lights = new LightsPanel;
+  w.luminaire = new LuminairePanel;
+  w.layouts = new LayoutsPanel;
+  w.view = new ViewPanel;
+  w.log = new LogPanel;
+  w.status = new StatusLine(window.statusBar());
+  window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
+                        QMainWindow::AllowNestedDocks);
+  window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  QDockWidget* properties = dock(window, w, Qt::RightDockWidgetArea, tr("Properties"), "properties",
+                                 scrolled(w.luminaire));
+  QDockWidget* view =
+      dock(window, w, Qt::RightDockWidgetArea, tr("View"), "view", scrolled(w.view));
+  QDockWidget* layouts =
+      dock(window, w, Qt::BottomDockWidgetArea, tr("Layouts"), "layouts", w.layouts);
+  QDockWidget* lights =
+      dock(window, w, Qt::BottomDockWidgetArea, tr("Light list"), "light_list", w.lights);
+  QDockWidget* log = dock(window, w, Qt::BottomDockWidgetArea, tr("Log"), "log", w.log);
+  window.splitDockWidget(layouts, lights, Qt::Horizontal);
+  window.tabifyDockWidget(lights, log);
+  lights->raise();
+  window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  window.resizeDocks({view}, {290}, Qt::Horizontal);
+  window.resizeDocks({properties, view}, {430, 300}, Qt::Vertical);
+  window.resizeDocks({layouts, lights}, {210, 760}, Qt::Horizontal);
+  window.resizeDocks({layouts}, {190}, Qt::Vertical);
+  return w;
+}
+
+}  // namespace soffit::ui

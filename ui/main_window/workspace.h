@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ui/main_window/view_area.h"
+#include "ui/panels/layouts_panel.h"
+#include "ui/panels/lights_panel.h"
+#include "ui/panels/log_panel.h"
+#include "ui/panels/luminaire_panel.h"
+#include "ui/panels/status_line.h"
+#include "ui/panels/view_panel.h"
+
+class QDockWidget;
+class QMainWindow;
+
+namespace soffit::ui {
+
+/// The parts that a project is worked on with, laid out in docks. The window owns them.
+struct Workspace {
+  ViewArea* area = nullptr;
+  LightsPanel* lights = nullptr;
+  LuminairePanel* luminaire = nullptr;
+  LayoutsPanel* layouts = nullptr;
+  ViewPanel* view = nullptr;
+  LogPanel* log = nullptr;
+  StatusLine* status = nullptr;
+  std::vector<QDockWidget*> docks;
+};
+
+/// Makes the parts and docks them into a window; `area` becomes nobody's child yet.
+Workspace makeWorkspace(QMainWindow& window);
+
+}  // namespace soffit::ui

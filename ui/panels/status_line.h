@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ui/jobs/light_frame.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+
+class QLabel;
+class QProgressBar;
+class QStatusBar;
+class QToolButton;
+
+namespace soffit::ui {
+
+/// The fields of the status bar: progress with Cancel, place and light under the cursor, how good
+/// and how fast the light is.
+class StatusLine : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit StatusLine(QStatusBar* bar);
+
+  void showProgress(const QString& stage, double done);
+  void endProgress();
+  void showReading(const std::optional<SurfaceReading>& reading);
+  void showLight(const LightFrame& frame, double frame_ms);
+
+ Q_SIGNALS:
+  void cancelRequested();
+
+ private:
+  QLabel* place_;
+  QLabel* light_;
+  QLabel* quality_;
+  QLabel* stage_;
+  QProgressBar* progress_;
+  QToolButton* cancel_;
+  QString known_stage_;
+  QElapsedTimer stage_time_;
+};
+
+}  // namespace soffit::ui

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ui/viewport/display_mesh.h"
+#include "ui/viewport/gl_objects.h"
+#include "ui/viewport/luminaire_mesh.h"
+
+#include <memory>
+#include <vector>
+
+namespace soffit::ui {
+
+/// Draws the building and its luminaires in scene-linear light: rgb is luminance in cd/m^2, alpha
+/// is illuminance in lux, or what kind of thing is seen (kLamp, kBeyond).
+///
+/// The static mesh is uploaded once; when light changes, three floats per vertex are.
+class BuildingDrawing {
+ public:
+  static constexpr float kLamp = -1.0F;
+  static constexpr float kBeyond = -2.0F;
+
+  /// What to draw from the next draw() on. Null: nothing.
+  void setMesh(std::shared_ptr<const DisplayMesh> mesh);
+  /// RGB lux per vertex of the mesh.
+  void setLight(std::vector<vec3> lux);
+  void setLuminaires(LuminaireMesh luminaires);
+
+  /// The camera of the next draws, and where its eye is (scene-local). What cannot be seen from
+  /// there is not drawn.
+  void setView(const glm::mat4& clip_from_scene, const vec3& eye);
+  /// Into the framebuffer that is bound; clears it. shift: of the picture, in clip coordinates.
+  void draw(const vec2& shift, const vec3& background);
+  void release();
+
+ private:
+  void upload();
+  void drawMesh(const glm::mat4& clip_from_scene);
+  void drawLuminaires(const glm::mat4& clip_from_scene);
+
+  std::shared_ptr<const DisplayMesh> mesh_;
+  std::vector<vec3> light_;
+  LuminaireMesh luminaires_;
+  glm::mat4 clip_from_scene_{1.0F};
+  vec3 eye_{0.0F};
+  std::vector<std::uint32_t> visible_counts_;  ///< indices per part
+  bool view_dirty_ = true;
+  bool mesh_dirty_ = false;
+  bool light_dirty_ = false;
+  bool luminaires_dirty_ = false;
+  int luminaire_corners_ = 0;
+
+  unsigned mesh_array_ = 0;
+  unsigned luminaire_array_ = 0;
+  GlBuffer positions_;
+  GlBuffer albedo_;
+  GlBuffer uvs_;
+  GlBuffer lux_;
+  GlBuffer indices_;
+  GlBuffer corners_;
+  std::vector<GlTexture> maps_;  ///< per part; empty without a map
+  GlProgram mesh_program_;
+  GlProgram luminaire_program_;
+};
+
+}  // namespace soffit::ui

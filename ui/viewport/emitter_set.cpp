@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "ui/viewport/emitter_set.h"
+
+#include <algorithm>
+
+namespace soffit::ui {
+
+EmitterSet::EmitterSet(std::span<const light::Luminaire> luminaires, const dvec3& origin) {
+  for (const light::Luminaire& luminaire : luminaires) {
+    auto emitter = light::makeEmitter(luminaire, origin);
+    if (!emitter) continue;
+    radiance_.emplace_back(*emitter);
+    names_.push_back(luminaire.name);
+    emitters_.push_back(std::move(*emitter));
+  }
+  pickable_ = emitters_;
+  for (light::Emitter& e : pickable_) e.gain = std::max(e.gain, 1.0);
+  hits_ = std::make_unique<render::EmitterHits>(pickable_);
+}
+
+int EmitterSet::indexOf(const std::string& name) const {
+  const auto found = std::ranges::find(names_, name);
+  return found == names_.end() ? -1 : static_cast<int>(found - names_.begin());
+}
+
+}  // namespace soffit::ui

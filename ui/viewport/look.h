@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/color/display_transform.h"
+#include "core/color/false_color.h"
+
+namespace soffit::ui {
+
+/// How a view shows light.
+struct Look {
+  color::DisplayChoice display;  ///< used unless false_color
+  double exposure_ev = 0.0;      ///< ignored by false colour
+  bool false_color = false;      ///< illuminance by colour, in the range
+  color::FalseColorRange range;
+};
+
+}  // namespace soffit::ui

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include <vtk_glew.h>
+
+#include "ui/viewport/picture_pass.h"
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderState.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace soffit::ui {
+namespace {
+
+/// Where the k-th sample lies in its pixel: Hammersley's points, the first in the middle.
+vec2 sampleOffset(int k) {
+  constexpr std::array<vec2, PicturePass::kMostSamples> kOffsets{{{0.0F, 0.0F},
+                                                                  {-0.375F, 0.125F},
+                                                                  {0.25F, -0.375F},
+                                                                  {0.375F, 0.25F},
+                                                                  {-0.125F, -0.25F},
+                                                                  {0.125F, 0.375F},
+                                                                  {-0.25F, 0.4375F},
+                                                                  {-0.4375F, -0.4375F}}};
+  return kOffsets[static_cast<std::size_t>(k)];
+}
+
+glm::mat4 clipFromScene(vtkRenderer* renderer, double aspect) {
+  vtkMatrix4x4* m =
+      renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+  glm::mat4 clip;
+  for (int row = 0; row < 4; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      clip[column][row] = static_cast<float>(m->GetElement(row, column));
+    }
+  }
+  return clip;
+}
+
+}  // namespace
+
+vtkStandardNewMacro(PicturePass);
+
+void PicturePass::setSample(int sample, double scale) {
+  sample_ = std::clamp(sample, 0, kMostSamples - 1);
+  scale_ = scale;
+}
+
+void PicturePass::shoot(vtkRenderer* renderer, int width, int height) {
+  linear_.resize(width, height, GlTarget::Format::linear_with_depth);
+  finished_.resize(width, height, GlTarget::Format::display);
+  linear_.bind();
+  const int* size = renderer->GetRenderWindow()->GetSize();
+  const vec2 shift = 2.0F * sampleOffset(sample_) / vec2(width, height);
+  const double* eye = renderer->GetActiveCamera()->GetPosition();
+  building.setView(clipFromScene(renderer, static_cast<double>(size[0]) / size[1]),
+                   vec3(dvec3(eye[0], eye[1], eye[2])));
+  building.draw(shift, vec3(0.0F));
+  finished_.bind();
+  display.draw(linear_);
+  summed_ = false;
+  if (scale_ < 1.0) return;
+  // The first sample is what the sum begins with.
+  sum_.resize(width, height, GlTarget::Format::sum);
+  sum_.bind();
+  display.copy(finished_, 1.0F / static_cast<float>(sample_ + 1));
+  summed_ = sample_ > 0;
+}
+
+void PicturePass::Render(const vtkRenderState* state) {
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const int* size = window->GetSize();
+  if (size[0] < 1 || size[1] < 1) return;
+  const int width = std::max(1, static_cast<int>(std::lround(size[0] * scale_)));
+  const int height = std::max(1, static_cast<int>(std::lround(size[1] * scale_)));
+  const bool reuse =
+      std::exchange(reuse_, false) && finished_.width() == width && finished_.height() == height;
+
+  vtkOpenGLState* gl = window->GetState();
+  window->GetShaderCache()->ReleaseCurrentShader();
+  gl->PushFramebufferBindings();
+  glDisable(GL_SCISSOR_TEST);
+  if (!reuse) shoot(renderer, width, height);
+  gl->PopFramebufferBindings();
+  glViewport(0, 0, size[0], size[1]);
+  display.copy(shown());
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  glUseProgram(0);
+  gl->Reset();
+  this->NumberOfRenderedProps = 1;
+}
+
+void PicturePass::ReleaseGraphicsResources(vtkWindow* window) {
+  building.release();
+  display.release();
+  for (GlTarget* target : {&linear_, &finished_, &sum_}) target->release();
+  vtkRenderPass::ReleaseGraphicsResources(window);
+}
+
+std::vector<float> PicturePass::readLinear(int& width, int& height) const {
+  width = linear_.width();
+  height = linear_.height();
+  return linear_.read();
+}
+
+}  // namespace soffit::ui

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: MIT
+#include "ui/viewport/scene_view.h"
+
+#include "ui/document/text.h"
+#include "ui/viewport/picture_pass.h"
+#include "ui/viewport/plain_preview.h"
+
+#include <vtkCamera.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace soffit::ui {
+namespace {
+
+constexpr vec3 kSelectedColor{1.0F, 0.72F, 0.16F};
+constexpr vec3 kHoveredColor{0.98F, 0.98F, 0.98F};
+/// Frames slower than this are drawn with fewer pixels while things move.
+constexpr double kFluentMs = 30.0;
+constexpr int kRestMs = 80;
+/// Where pictures are slow, one that shows a luminaire at its new place waits so long for its
+/// light.
+constexpr int kLateMs = 60;
+constexpr double kNearest = 0.03;
+
+}  // namespace
+
+SceneView::SceneView(QWidget* parent) : VtkView(parent) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  gizmo_ = std::make_unique<GizmoActor>(overlay());
+  hovered_outline_ = std::make_unique<OutlineActor>(overlay(), kHoveredColor, 1.5F);
+  selected_outline_ = std::make_unique<OutlineActor>(overlay(), kSelectedColor, 2.5F);
+  rest_.setSingleShot(true);
+  rest_.setInterval(kRestMs);
+  connect(&rest_, &QTimer::timeout, this, [this] { restart(); });
+  late_.setSingleShot(true);
+  late_.setInterval(kLateMs);
+  connect(&late_, &QTimer::timeout, this, &SceneView::restart);
+  connect(&mesh_job_, &DisplayMeshJob::finished, this, &SceneView::onMeshFinished);
+  connect(this, &VtkView::painted, this, &SceneView::refine);
+}
+
+SceneView::~SceneView() = default;
+
+dvec3 SceneView::origin() const {
+  return scene_ == nullptr ? dvec3(0.0) : scene_->mesh->origin;
+}
+
+Box SceneView::bounds() const {
+  Box box;
+  if (scene_ != nullptr) box = scene_->mesh->bounds();
+  if (luminaires_ != nullptr) {
+    for (const light::Emitter& e : luminaires_->emitters()) box.add(e.bounds);
+  }
+  return box;
+}
+
+void SceneView::setScene(std::shared_ptr<const scene::Scene> scene) {
+  const bool same_building = scene_ != nullptr && scene != nullptr && scene_->mesh == scene->mesh;
+  scene_ = std::move(scene);
+  if (same_building) return;
+  frame_.reset();
+  mesh_.reset();
+  mesh_solver_.reset();
+  pass().building.setMesh(nullptr);
+  if (scene_ != nullptr) {
+    PlainPreview preview = makePlainPreview(*scene_->mesh, scene_->materials);
+    pass().building.setMesh(std::move(preview.mesh));
+    pass().building.setLight(std::move(preview.lux));
+  }
+  restart();
+}
+
+void SceneView::setFrame(LightFramePtr frame) {
+  frame_ = std::move(frame);
+  if (frame_ == nullptr) return;
+  if (mesh_solver_ == frame_->solver) {
+    showLight();
+  } else if (mesh_job_.solver() != frame_->solver) {
+    mesh_job_.start(frame_->solver, scene_->materials);
+  }
+}
+
+void SceneView::onMeshFinished() {
+  auto mesh = mesh_job_.take();
+  if (mesh == nullptr) return;
+  mesh_ = std::move(mesh);
+  mesh_solver_ = mesh_job_.solver();
+  pass().building.setMesh(mesh_);
+  if (frame_ != nullptr && frame_->solver == mesh_solver_) showLight();
+}
+
+void SceneView::showLight() {
+  std::vector<vec3> lux(mesh_->vertexCount());
+  lightVertices(*mesh_, frame_->lux, lux);
+  pass().building.setLight(std::move(lux));
+  light_pending_ = true;
+  restart();
+}
+
+void SceneView::setLuminaires(std::shared_ptr<const EmitterSet> luminaires) {
+  luminaires_ = std::move(luminaires);
+  if (!moving_ || mesh_ == nullptr || full_frame_ms_ <= kFluentMs) {
+    restart();
+  } else if (!late_.isActive()) {
+    late_.start();
+  }
+}
+
+void SceneView::setSelection(const QStringList& names) {
+  selection_ = names;
+  restart();
+}
+
+void SceneView::setHovered(const std::string& name) {
+  if (name == hovered_) return;
+  hovered_ = name;
+  update();
+}
+
+void SceneView::setGizmoHighlight(GizmoPart part) {
+  if (part == highlight_) return;
+  highlight_ = part;
+  update();
+}
+
+Result<void> SceneView::setLook(const Look& look) {
+  if (const auto set = pass().display.setLook(look); !set) return set.error();
+  look_ = look;
+  restart();
+  return {};
+}
+
+void SceneView::setViewCamera(const ViewCamera& camera) {
+  view_ = camera;
+  restart();
+}
+
+void SceneView::frameAll() {
+  view_.frame(bounds(), origin(), viewSize().x / std::max(viewSize().y, 1.0));
+  restart();
+}
+
+void SceneView::frameSelection() {
+  Box box;
+  for (const QString& name : selection_) {
+    const int i = luminaires_ == nullptr ? -1 : luminaires_->indexOf(toStd(name));
+    if (i >= 0) box.add(luminaires_->emitters()[static_cast<std::size_t>(i)].bounds);
+  }
+  if (box.empty()) {
+    frameAll();
+    return;
+  }
+  const vec3 margin(0.5F);
+  box.lo -= margin;
+  box.hi += margin;
+  view_.frame(box, origin(), viewSize().x / std::max(viewSize().y, 1.0));
+  restart();
+}
+
+void SceneView::setMoving(bool moving) {
+  moving_ = moving;
+  if (!moving && drew_scaled_) rest_.start();
+}
+
+double SceneView::movingScale() const {
+  if (full_frame_ms_ <= kFluentMs) return 1.0;
+  return std::clamp(std::sqrt(kFluentMs / full_frame_ms_), 0.5, 1.0);
+}
+
+void SceneView::restart() {
+  late_.stop();
+  sample_ = 0;
+  picture_stale_ = true;
+  update();
+}
+
+void SceneView::refine() {
+  if (moving_ || drew_scaled_ || mesh_ == nullptr || !isVisible()) return;
+  if (sample_ + 1 >= PicturePass::kMostSamples) return;
+  ++sample_;
+  // After what waits: mouse, keys, new light.
+  QTimer::singleShot(0, this, [this, wanted = sample_] {
+    if (sample_ != wanted) return;
+    picture_stale_ = true;
+    update();
+  });
+}
+
+void SceneView::placeCamera() {
+  const dvec3 eye = view_.position - origin();
+  const dvec3 target = eye + view_.forward;
+  camera()->SetPosition(eye.x, eye.y, eye.z);
+  camera()->SetFocalPoint(target.x, target.y, target.z);
+  camera()->SetViewUp(0.0, 0.0, 1.0);
+  camera()->SetViewAngle(glm::degrees(view_.vertical_fov));
+  const Box box = bounds();
+  const double reach =
+      box.empty() ? 100.0
+                  : glm::length(eye - dvec3(box.center())) + static_cast<double>(box.diagonal());
+  camera()->SetClippingRange(std::max(kNearest, reach * 1e-4), reach + 1.0);
+}
+
+std::vector<vec3> SceneView::outlines(const QStringList& names) const {
+  std::vector<vec3> lines;
+  if (luminaires_ == nullptr) return lines;
+  for (const QString& name : names) {
+    const int i = luminaires_->indexOf(toStd(name));
+    if (i < 0) continue;
+    const auto own = outlineOf(luminaires_->emitters()[static_cast<std::size_t>(i)]);
+    lines.insert(lines.end(), own.begin(), own.end());
+  }
+  return lines;
+}
+
+std::optional<dvec3> SceneView::gizmoPlace() const {
+  if (luminaires_ == nullptr || selection_.isEmpty()) return std::nullopt;
+  dvec3 sum(0.0);
+  int count = 0;
+  for (const QString& name : selection_) {
+    const int i = luminaires_->indexOf(toStd(name));
+    if (i < 0) continue;
+    sum += luminaires_->emitters()[static_cast<std::size_t>(i)].position;
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  return origin() + sum / static_cast<double>(count);
+}
+
+GizmoPart SceneView::gizmoPartAt(const QPointF& mouse) const {
+  const auto at = gizmoPlace();
+  if (!at) return GizmoPart::none;
+  return Gizmo::partAt(*at, view_, viewSize(), {mouse.x(), mouse.y()});
+}
+
+void SceneView::updateOverlay() {
+  selected_outline_->setLines(outlines(selection_));
+  const QString hovered = toQt(hovered_);
+  hovered_outline_->setLines(selection_.contains(hovered) ? std::vector<vec3>{}
+                                                          : outlines({hovered}));
+  const auto at = gizmoPlace();
+  if (!at || glm::dot(*at - view_.position, view_.forward) <= 0.0) {
+    gizmo_->hide();
+    return;
+  }
+  std::array<bool, 6> edge_on{};
+  for (std::size_t i = 0; i < edge_on.size(); ++i) {
+    edge_on[i] = Gizmo::isEdgeOn(static_cast<GizmoPart>(i + 1), *at, view_);
+  }
+  gizmo_->show(*at - origin(), Gizmo::arrowLength(*at, view_, viewSize()), highlight_, edge_on);
+}
+
+void SceneView::resizeGL(int width, int height) {
+  VtkView::resizeGL(width, height);
+  restart();
+}
+
+void SceneView::paintGL() {
+  placeCamera();
+  updateOverlay();
+  if (luminaires_ != nullptr && sample_ == 0) {
+    pass().building.setLuminaires(makeLuminaireMesh(*luminaires_, vec3(view_.position - origin())));
+  }
+  const bool reused = !std::exchange(picture_stale_, false);
+  if (reused) {
+    pass().reuseOnce();
+  } else {
+    const double scale = moving_ ? movingScale() : 1.0;
+    pass().setSample(moving_ ? 0 : sample_, scale);
+    drew_scaled_ = scale < 1.0;
+  }
+  VtkView::paintGL();
+  if (!drew_scaled_ && !reused) full_frame_ms_ = 0.7 * full_frame_ms_ + 0.3 * frameMilliseconds();
+  if (std::exchange(light_pending_, false)) {
+    Q_EMIT lightShown(frame_ == nullptr ? 0 : frame_->revision, frameMilliseconds());
+  }
+}
+
+std::vector<vec3> SceneView::readLinear() {
+  if (!isValid() || mesh_ == nullptr) return {};
+  makeCurrent();
+  int width = 0;
+  int height = 0;
+  const std::vector<float> values = pass().readLinear(width, height);
+  doneCurrent();
+  std::vector<vec3> pixels;
+  for (std::size_t i = 0; i + 3 < values.size(); i += 4) {
+    pixels.emplace_back(values[i], values[i + 1], values[i + 2]);
+  }
+  return pixels;
+}
+
+PointedAt SceneView::pointAt(const QPointF& mouse) const {
+  PointedAt found;
+  if (scene_ == nullptr) return found;
+  const dvec3 direction = view_.rayThrough({mouse.x(), mouse.y()}, viewSize());
+  geometry::Ray ray;
+  ray.origin = vec3(view_.position - origin());
+  ray.direction = vec3(direction);
+  double depth = 1e30;
+  if (frame_ != nullptr) {
+    found.surface = readSurface(*frame_, *scene_, ray);
+    if (found.surface) {
+      depth = glm::length(found.surface->position - view_.position);
+      found.place = found.surface->position;
+      found.hit = true;
+    }
+  }
+  if (luminaires_ == nullptr) return found;
+  const render::EmitterHit hit = luminaires_->closest(ray);
+  constexpr double kSlack = 1e-3;  // a panel lies in its ceiling
+  if (hit.valid() && static_cast<double>(hit.t) <= depth * (1.0 + kSlack) + kSlack) {
+    found.luminaire = luminaires_->name(static_cast<std::size_t>(hit.emitter));
+    found.place = view_.position + static_cast<double>(hit.t) * direction;
+    found.hit = true;
+  }
+  // Points have no surface: near enough on the screen will do.
+  constexpr double kReach = 9.0;
+  for (std::size_t i = 0; i < luminaires_->emitters().size(); ++i) {
+    const light::Emitter& e = luminaires_->emitters()[i];
+    if (e.kind != light::EmitterKind::point) continue;
+    const dvec3 at = view_.project(origin() + e.position, viewSize());
+    if (at.z <= 0.0 || at.z > depth + kSlack) continue;
+    if (glm::length(dvec2(at) - dvec2(mouse.x(), mouse.y())) > kReach) continue;
+    found.luminaire = luminaires_->name(i);
+    found.place = origin() + e.position;
+    found.hit = true;
+  }
+  return found;
+}
+
+}  // namespace soffit::ui

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ui/jobs/light_frame.h"
+#include "ui/viewport/display_mesh_job.h"
+#include "ui/viewport/emitter_set.h"
+#include "ui/viewport/gizmo_actor.h"
+#include "ui/viewport/look.h"
+#include "ui/viewport/view_camera.h"
+#include "ui/viewport/vtk_view.h"
+
+#include <QStringList>
+#include <QTimer>
+
+#include <optional>
+
+namespace soffit::ui {
+
+/// What lies under a pixel.
+struct PointedAt {
+  std::string luminaire;                  ///< in front of all surfaces; empty: none
+  std::optional<SurfaceReading> surface;  ///< the surface, through luminaires
+  dvec3 place{0.0};                       ///< world, of the luminaire or the surface
+  bool hit = false;
+};
+
+/// A view of the scene in its light: camera, picture, selection and gizmo. Shows what it is given;
+/// what mouse and keys do lies in Navigation and LuminaireDrag.
+class SceneView : public VtkView {
+  Q_OBJECT
+
+ public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  /// A building; what was shown is gone.
+  void setScene(std::shared_ptr<const scene::Scene> scene);
+  /// Finished light. The mesh of a new solver is cut in the background; until then the old light
+  /// stays.
+  void setFrame(LightFramePtr frame);
+  void setLuminaires(std::shared_ptr<const EmitterSet> luminaires);
+  void setSelection(const QStringList& names);
+  /// The luminaire under the mouse, empty for none.
+  void setHovered(const std::string& name);
+  /// Errors: the view is unknown; the look stays as it was.
+  Result<void> setLook(const Look& look);
+
+  [[nodiscard]] const Look& look() const { return look_; }
+  [[nodiscard]] const LightFramePtr& frame() const { return frame_; }
+  [[nodiscard]] const std::shared_ptr<const EmitterSet>& luminaires() const { return luminaires_; }
+  [[nodiscard]] const ViewCamera& viewCamera() const { return view_; }
+  void setViewCamera(const ViewCamera& camera);
+  void frameAll();
+  void frameSelection();
+
+  /// While the camera or a luminaire moves, slow machines compute fewer pixels; the whole picture
+  /// follows within 0.1 s of the rest.
+  void setMoving(bool moving);
+
+  /// Logical pixels.
+  [[nodiscard]] PointedAt pointAt(const QPointF& mouse) const;
+  [[nodiscard]] GizmoPart gizmoPartAt(const QPointF& mouse) const;
+  /// Where the gizmo is, world; nothing without a selection.
+  [[nodiscard]] std::optional<dvec3> gizmoPlace() const;
+  void setGizmoHighlight(GizmoPart part);
+  /// The last picture without view transform, cd/m^2; empty before there is light.
+  [[nodiscard]] std::vector<vec3> readLinear();
+  [[nodiscard]] dvec2 viewSize() const { return {width(), height()}; }
+  [[nodiscard]] dvec3 origin() const;
+  /// Bounds of building and luminaires, scene-local.
+  [[nodiscard]] Box bounds() const;
+
+ Q_SIGNALS:
+  /// Once the light of a frame with this revision is on the screen.
+  void lightShown(quint64 revision, double frame_ms);
+
+ protected:
+  void paintGL() override;
+  void resizeGL(int width, int height) override;
+
+ private:
+  void onMeshFinished();
+  void showLight();
+  void placeCamera();
+  void updateOverlay();
+  void restart();
+  void refine();
+  [[nodiscard]] double movingScale() const;
+  [[nodiscard]] std::vector<vec3> outlines(const QStringList& names) const;
+
+  std::shared_ptr<const scene::Scene> scene_;
+  LightFramePtr frame_;
+  std::shared_ptr<const EmitterSet> luminaires_;
+  QStringList selection_;
+  std::string hovered_;
+  Look look_;
+  ViewCamera view_;
+  std::shared_ptr<const DisplayMesh> mesh_;
+  std::shared_ptr<const relight::Solver> mesh_solver_;
+  DisplayMeshJob mesh_job_;
+  std::unique_ptr<GizmoActor> gizmo_;
+  std::unique_ptr<OutlineActor> selected_outline_;
+  std::unique_ptr<OutlineActor> hovered_outline_;
+  GizmoPart highlight_ = GizmoPart::none;
+  bool light_pending_ = false;
+  bool moving_ = false;
+  bool drew_scaled_ = false;
+  bool picture_stale_ = true;
+  int sample_ = 0;
+  double full_frame_ms_ = 60.0;
+  QTimer rest_;
+  QTimer late_;  ///< runs while luminaires that moved wait for their light
+};
+
+}  // namespace soffit::ui

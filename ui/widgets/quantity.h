@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+#include <QStringView>
+
+#include <optional>
+
+/// Quantities as people type them.
+namespace soffit::ui {
+
+/// What is measured; the unit in which values are kept stands behind it.
+enum class Dimension {
+  length /* m */,
+  angle /* deg */,
+  flux /* lm */,
+  temperature /* K */,
+  share /* 0..1, shown in % */,
+  illuminance /* lx */,
+  exposure /* EV */
+};
+
+/// "m", "°", "lm", "K", "%", "lx", "EV".
+QString unitOf(Dimension dimension);
+
+/// The value of a text: `1200`, `1200 lm`, `1.2 klm`, `3,2 m`, `320cm`, `10' 6"`, `40 deg`,
+/// `0.7 rad`, `50 %`, `46.5 fc`. A bare number is in the dimension's shown unit. Nothing for
+/// what cannot be read, has another dimension's unit, or is not finite.
+std::optional<double> parseQuantity(QStringView text, Dimension dimension);
+
+/// Shown: at most `decimals` places, no trailing zeros, with the unit.
+QString formatQuantity(double value, Dimension dimension, int decimals);
+
+}  // namespace soffit::ui

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "ui/widgets/quantity_box.h"
+
+#include <QLineEdit>
+#include <QWheelEvent>
+
+#include <algorithm>
+
+namespace soffit::ui {
+
+QuantityBox::QuantityBox(Dimension dimension, QWidget* parent)
+    : QAbstractSpinBox(parent), dimension_(dimension) {
+  setKeyboardTracking(false);
+  setFocusPolicy(
+      Qt::StrongFocus);  // the wheel scrolls the panel, not a box that happens to be there
+  setAccelerated(true);
+  lineEdit()->setAlignment(Qt::AlignRight);
+  lineEdit()->setPlaceholderText(tr("mixed"));
+  connect(this, &QAbstractSpinBox::editingFinished, this, &QuantityBox::takeText);
+}
+
+void QuantityBox::setRange(double least, double most) {
+  least_ = least;
+  most_ = most;
+}
+
+void QuantityBox::setSteps(double single, int decimals) {
+  step_ = single;
+  decimals_ = decimals;
+}
+
+void QuantityBox::setValue(std::optional<double> value) {
+  if (lineEdit()->isModified() && hasFocus() && value == value_) return;
+  value_ = value;
+  showValue();
+}
+
+void QuantityBox::showValue() {
+  const QSignalBlocker quiet(lineEdit());
+  lineEdit()->setText(value_ ? formatQuantity(*value_, dimension_, decimals_) : QString());
+  update();
+}
+
+void QuantityBox::give(double value) {
+  value = std::clamp(value, least_, most_);
+  const bool changed = !value_ || *value_ != value;
+  value_ = value;
+  showValue();
+  if (changed) Q_EMIT edited(value);
+}
+
+void QuantityBox::takeText() {
+  const QString text = lineEdit()->text();
+  if (value_ && text == formatQuantity(*value_, dimension_, decimals_)) return;
+  if (!value_ && text.trimmed().isEmpty()) return;
+  const auto read = parseQuantity(text, dimension_);
+  if (read) {
+    give(*read);
+  } else {
+    showValue();
+  }
+}
+
+void QuantityBox::stepBy(int steps) {
+  takeText();
+  give(value_.value_or(0.0) + steps * step_);
+  lineEdit()->selectAll();
+}
+
+QAbstractSpinBox::StepEnabled QuantityBox::stepEnabled() const {
+  StepEnabled enabled = StepNone;
+  if (!value_ || *value_ < most_) enabled |= StepUpEnabled;
+  if (!value_ || *value_ > least_) enabled |= StepDownEnabled;
+  return enabled;
+}
+
+void QuantityBox::wheelEvent(QWheelEvent* event) {
+  if (hasFocus()) {
+    QAbstractSpinBox::wheelEvent(event);
+  } else {
+    event->ignore();
+  }
+}
+
+QSize QuantityBox::sizeHint() const {
+  QSize size = QAbstractSpinBox::sizeHint();
+  size.setWidth(fontMetrics().horizontalAdvance(QStringLiteral("-00.000 m")) + 34);
+  return size;
+}
+
+}  // namespace soffit::ui
