@@ -160,8 +160,8 @@ class ClusterWorker {
     const light::Receivers& r = operators_.texels.receivers;
     const vec3 apart = r.position(a) - r.position(b);
     const vec3 turned = r.normal(a) - r.normal(b);
-    return std::exp(-std::sqrt(static_cast<double>(glm::dot(apart, apart)) /
-                                   (kUntrainedReach * kUntrainedReach) +
+    const double reach = kUntrainedReach * operators_.texels.cell;
+    return std::exp(-std::sqrt(static_cast<double>(glm::dot(apart, apart)) / (reach * reach) +
                                static_cast<double>(glm::dot(turned, turned))));
   }
 
@@ -224,12 +224,12 @@ class ClusterWorker {
     }
   }
 
-  /// Share of the variance that is not the training's, and the distance (m) over which it falls to
-  /// 1/e. With the lamp beside the bed of projects/flat alone, surfaces: P80 of the error 23 -> 18
-  /// %, P90 48 -> 30 %, with an equal number of lists; 0.1 is no better there and worse in the
-  /// office.
+  /// Share of the variance that is not the training's, and the distance (in cells) over which it
+  /// falls to 1/e. With the lamp beside the bed of projects/flat alone, error on surfaces: P80 from
+  /// 23 to 18 %, P90 from 48 to 30 %, by an equal number of lists; 0.1 is no better there and worse
+  /// in the office.
   static constexpr double kUntrained = 0.03;
-  static constexpr double kUntrainedReach = 1.0;
+  static constexpr double kUntrainedReach = 8.0;
 
   const StaticScene& scene_;
   const TrainingFields& fields_;
