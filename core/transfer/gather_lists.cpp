@@ -84,15 +84,4 @@ void GatherLists::append(const GatherLists& other) {
   }
 }
 
-SlotClusters slotClusters(const light::Receivers& receivers) {
-  SlotClusters out;
-  out.cluster_of.resize(receivers.slotCount());
-  for (std::uint32_t c = 0; c < receivers.clusters.size(); ++c) {
-    const light::Receivers::Cluster& cluster = receivers.clusters[c];
-    out.begin.push_back(cluster.begin);
-    std::fill(out.cluster_of.begin() + cluster.begin, out.cluster_of.begin() + cluster.end, c);
-  }
-  return out;
-}
-
 }  // namespace soffit::transfer

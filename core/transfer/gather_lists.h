@@ -11,13 +11,6 @@
 
 namespace soffit::transfer {
 
-/// Which cluster a slot belongs to, and where clusters begin.
-struct SlotClusters {
-  std::vector<std::uint32_t> cluster_of;  ///< per slot
-  std::vector<std::uint32_t> begin;       ///< per cluster
-};
-SlotClusters slotClusters(const light::Receivers& receivers);
-
 /// Gather rays as sparse sums over texels: value = scale * sum count_k x[slot_k], the irradiance
 /// that radiosity x (lux) sends to the point.
 ///
@@ -56,7 +49,6 @@ struct GatherLists {
   /// Appends the list of a point: `slots` as traceHemisphere gives them (kNoTexel: dark), sorted
   /// in place. At most 2^28 slots.
   void append(std::span<std::uint32_t> slots);
-  void append(std::span<std::uint32_t> slots, const SlotClusters& /*clusters*/) { append(slots); }
   /// Appends all lists of another set.
   void append(const GatherLists& other);
   [[nodiscard]] std::size_t bytes() const {

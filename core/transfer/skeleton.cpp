@@ -38,13 +38,8 @@ struct ClusterResult {
 class ClusterWorker {
  public:
   ClusterWorker(const StaticScene& scene, const TrainingFields& fields,
-                const BakeSettings& settings, const Operators& operators,
-                const SlotClusters& slot_clusters)
-      : scene_(scene),
-        fields_(fields),
-        settings_(settings),
-        operators_(operators),
-        slot_clusters_(slot_clusters) {}
+                const BakeSettings& settings, const Operators& operators)
+      : scene_(scene), fields_(fields), settings_(settings), operators_(operators) {}
 
   /// Gathers the fields at the cluster's points and puts these in the order in which they tell
   /// most.
@@ -73,7 +68,7 @@ class ClusterWorker {
                       settings_.list_rays, settings_.seed * 7919U + 500000003U + slot,
                       operators_.texels.gapReach(slot), scratch_, hits_);
       addFields(hits_.slots, ys.row(static_cast<Eigen::Index>(k)).data());
-      result.lists.append(hits_.slots, slot_clusters_);
+      result.lists.append(hits_.slots);
     }
     result.rank = static_cast<std::uint32_t>(rank);
     solveWeights(c, choice.points, pivots, choice.y, ys, result);
@@ -235,7 +230,6 @@ class ClusterWorker {
   const TrainingFields& fields_;
   const BakeSettings& settings_;
   const Operators& operators_;
-  const SlotClusters& slot_clusters_;
   HemisphereScratch scratch_;
   HemisphereHits hits_;
   std::array<std::vector<std::uint32_t>, 2> halves_;
@@ -281,12 +275,11 @@ void countUnheard(Operators& operators) {
 std::uint64_t fillSkeletons(const StaticScene& scene, const TrainingFields& fields,
                             const BakeSettings& settings, const Job& job, Operators& operators) {
   const auto& clusters = operators.texels.receivers.clusters;
-  const SlotClusters slot_clusters = slotClusters(operators.texels.receivers);
   std::vector<Choice> choices(clusters.size());
   std::vector<ClusterResult> results(clusters.size());
   std::atomic<std::size_t> done{0};
   parallelFor(clusters.size(), 1, [&](std::size_t begin, std::size_t end) {
-    ClusterWorker worker(scene, fields, settings, operators, slot_clusters);
+    ClusterWorker worker(scene, fields, settings, operators);
     for (std::size_t i = begin; i < end; ++i) {
       if (job.cancelled()) return;
       choices[i] = worker.choose(clusters[i]);
@@ -300,7 +293,7 @@ std::uint64_t fillSkeletons(const StaticScene& scene, const TrainingFields& fiel
       settings.tolerance);
   done = 0;
   parallelFor(clusters.size(), 1, [&](std::size_t begin, std::size_t end) {
-    ClusterWorker worker(scene, fields, settings, operators, slot_clusters);
+    ClusterWorker worker(scene, fields, settings, operators);
     for (std::size_t i = begin; i < end; ++i) {
       if (job.cancelled()) return;
       results[i] = worker.work(clusters[i], choices[i], ranks[i]);

@@ -88,7 +88,6 @@ float use(const Operators& o, std::size_t triangles) {
       for (int i = 0; i < count; ++i) sum += o.area[near[static_cast<std::size_t>(i)]];
     }
   }
-  const SlotClusters of = slotClusters(o.texels.receivers);
   const std::vector<vec4> x(slots, vec4(1.0F));
   const std::vector<PatchLight> b(o.nodes.patches.size());
   const std::vector<std::uint8_t> lit(slots / GatherLists::kPage + 1, 1);
@@ -108,7 +107,7 @@ float use(const Operators& o, std::size_t triangles) {
   for (std::size_t s = 0; s < slots; ++s) {
     sum += plane[o.fill_from[s]] + o.sends[s] +
            o.texels.receivers.x[o.texels.receivers.slot_of[o.texels.receivers.point_of[s]]] +
-           static_cast<float>(o.nodes.patches[o.nodes.patch_of[s]].first + of.cluster_of[s]);
+           static_cast<float>(o.nodes.patches[o.nodes.patch_of[s]].first);
   }
   NodeSolver::Vectors coefficients(1, std::vector<float>(o.nodes.stride, 0.0F));
   NodeSolver::Vectors indirect;
