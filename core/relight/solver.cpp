@@ -84,7 +84,9 @@ vec4 Solver::conservingScale(const dvec3& sent, std::span<const vec4> y) const {
   }
   vec4 scale(1.0F);
   for (int c = 0; c < 3; ++c) {
-    if (arrived[c] > 0.0) scale[c] = static_cast<float>(std::clamp(sent[c] / arrived[c], 0.9, 1.1));
+    if (arrived[c] <= 0.0) continue;
+    const double wanted = std::clamp(sent[c] / arrived[c], 0.9, 1.1);
+    scale[c] = static_cast<float>(1.0 + static_cast<double>(operators_->conserve) * (wanted - 1.0));
   }
   return scale;
 }

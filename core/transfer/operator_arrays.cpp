@@ -11,15 +11,18 @@ Records recordsOf(const Operators& operators) {
                               origin, t, b, normal, size, area, first, count});
   }
   records.scalars.push_back({operators.texels.cell, operators.nodes.functions,
-                             operators.nodes.stride, operators.coarse ? 1U : 0U});
+                             operators.nodes.stride, operators.coarse ? 1U : 0U,
+                             static_cast<double>(operators.conserve)});
   return records;
 }
 
 std::string applyRecords(const Records& records, Operators& operators) {
   if (records.scalars.size() != 1 || records.scalars[0].coarse > 1) return "scalars";
+  if (!(records.scalars[0].conserve >= 0.0 && records.scalars[0].conserve <= 1.0)) return "scalars";
   operators.texels.cell = records.scalars[0].cell;
   operators.nodes.functions = records.scalars[0].functions;
   operators.nodes.stride = records.scalars[0].stride;
+  operators.conserve = static_cast<float>(records.scalars[0].conserve);
   operators.coarse = records.scalars[0].coarse != 0;
   std::vector<Chart>& charts = operators.texels.charts.charts;
   charts.clear();

@@ -30,6 +30,7 @@ struct ScalarRecord {
   std::uint64_t functions = 0;
   std::uint64_t stride = 0;
   std::uint64_t coarse = 0;
+  double conserve = 1.0;
 };
 
 /// What is stored in another form than in memory.
@@ -51,7 +52,7 @@ std::string applyRecords(const Records& records, Operators& operators);
 template <class Ops, class Recs, class Visit>
 void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   auto& [texels, area, fill_from, sends, nodes, lists, node_lists, clusters, weights, list_area,
-         coarse] = operators;
+         conserve, coarse] = operators;
   auto& [receivers, texel_area, material, triangle, openness, part, uv, uv_width, charts, cell, grids, cells, split] =
       texels;
   auto& [x, y, z, nx, ny, nz, slot_of, point_of, receiver_clusters, groups] = receivers;
@@ -60,9 +61,9 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   auto& [matrix_first, matrix_blocks] = matrix;
   auto& [list_entries, list_pages, list_list] = lists;
   auto& [node_entries, node_list] = node_lists;
-  visit("scalars", records.scalars);  // cell, functions, stride, coarse
+  visit("scalars", records.scalars);  // cell, functions, stride, coarse, conserve
   static_cast<void>(cell), static_cast<void>(functions), static_cast<void>(stride),
-      static_cast<void>(coarse);
+      static_cast<void>(coarse), static_cast<void>(conserve);
   visit("charts", records.charts);
   static_cast<void>(chart_list);
   visit("charts.triangles", chart_triangles);
@@ -110,7 +111,7 @@ template <class Record, std::size_t size_of_members>
 inline constexpr bool is_packed = std::is_trivially_copyable_v<Record> &&
                                   sizeof(Record) == size_of_members;
 static_assert(is_packed<ChartRecord, 2 * 1 + 2 + 4 + 4 * 12 + 8 + 8 + 2 * 4>);
-static_assert(is_packed<ScalarRecord, 4 * 8>);
+static_assert(is_packed<ScalarRecord, 5 * 8>);
 static_assert(is_packed<vec2, 2 * 4> && is_packed<vec3, 3 * 4>);
 static_assert(is_packed<light::Receivers::Bounds, 3 * 12 + 4>);
 static_assert(is_packed<light::Receivers::Cluster, 3 * 4 + sizeof(light::Receivers::Bounds)>);

@@ -53,6 +53,12 @@ struct Operators {
   std::vector<ClusterWeights> clusters;  ///< per cluster of texels.receivers
   std::vector<Half> weights;             ///< sums of some 20 of them: rounding disappears in the rays' noise
   std::vector<float> list_area;          ///< per list: sum over slots of area x weight, for energy conservation
+  /// How far the balance of what is sent and what arrives is to be trusted, 0 to 1. The balance
+  /// takes a texel's light at its point for that of its area; where furniture makes that err by
+  /// more than lists and weights do, forcing it would put their good sum wrong. It is the share of
+  /// the correction that leaves the least error: g^2 / (g^2 + q^2) for usual errors g of lists and
+  /// weights, q of the areas, both measured on the training lights.
+  float conserve = 1.0F;
   bool coarse = false;                   ///< lists and weights are not there yet: indirect from nodes alone
 
   [[nodiscard]] std::size_t bytes() const;

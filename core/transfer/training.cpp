@@ -23,6 +23,7 @@ struct Place {
 
 class LightDrawer {
  public:
+  static constexpr double kFlux = 1000.0;  // lm
   LightDrawer(const StaticScene& scene, const Operators& operators, std::uint64_t seed)
       : scene_(scene), operators_(operators), rng_(seed, 77) {
     cumulative_.resize(operators.area.size());
@@ -37,7 +38,7 @@ class LightDrawer {
   light::Luminaire draw() {
     const Place place = drawPlace();
     light::Luminaire l;
-    l.flux = 1000.0;
+    l.flux = kFlux;
     const float kind = rng_.uniform();
     const double longest = 0.12 * static_cast<double>(size_);
     const auto length = [&] { return std::min(0.1 + 1.1 * rng_.uniformDouble(), longest); };
@@ -135,18 +136,22 @@ TrainingFields makeTrainingFields(const StaticScene& scene, const Operators& ope
       const std::span<const float> channel(rho);
       solver = std::make_unique<NodeSolver>(operators.nodes, operators.area, std::span(&channel, 1));
     }
-    // Lights that see nothing are drawn again.
-    for (int attempt = 0; attempt < 8; ++attempt) {
+    // Lights that see next to nothing (inside a cabinet, mostly) are drawn again.
+    double most = -1.0;
+    for (int attempt = 0; attempt < 8 && most < 0.3 * LightDrawer::kFlux; ++attempt) {
       const auto emitter = light::makeEmitter(drawer.draw());
       if (!emitter) continue;
       light::directIlluminance(light::PreparedLight(*emitter), groups.points, scene.blockers,
                                {.epsilon = scene.epsilon, .bodies = {}}, grouped, lit);
-      if (std::any_of(lit.begin(), lit.end(), [](std::uint8_t l) { return l != 0; })) break;
+      double received = 0.0;
+      for (std::size_t s = 0; s < slots; ++s) {
+        received += static_cast<double>(operators.area[s]) * static_cast<double>(grouped[groups.place[s]]);
+      }
+      if (received <= most) continue;
+      most = received;
+      for (std::size_t s = 0; s < slots; ++s) lux[s] = grouped[groups.place[s]];
     }
-    for (std::size_t s = 0; s < slots; ++s) {
-      lux[s] = grouped[groups.place[s]];
-      x[s] = rho[s] * lux[s];
-    }
+    for (std::size_t s = 0; s < slots; ++s) x[s] = rho[s] * lux[s];
     restrictToNodes(operators.nodes, operators.area, x, b0[0]);
     solver->solve(b0, e);
     prolongFromNodes(operators.nodes, e[0], x);
