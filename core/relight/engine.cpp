@@ -22,6 +22,7 @@ const std::map<std::string, Setting>& settings() {
   static const std::map<std::string, Setting> table = {
       {"texels", {100, 2e6, [](QualitySettings& q, double v) { q.bake.texels = static_cast<int>(v); }}},
       {"least_cell", {1e-4, 10, [](QualitySettings& q, double v) { q.bake.least_cell = v; }}},
+      {"most_cell", {1e-4, 1e3, [](QualitySettings& q, double v) { q.bake.most_cell = v; }}},
       {"patch", {16, 256, [](QualitySettings& q, double v) { q.bake.patch = static_cast<std::uint32_t>(v); }}},
       {"node_rays", {2, 64, [](QualitySettings& q, double v) { q.bake.node_rays = static_cast<int>(v); }}},
       {"trainings", {4, 1024, [](QualitySettings& q, double v) { q.bake.trainings = static_cast<int>(v); }}},

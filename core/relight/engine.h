@@ -16,7 +16,7 @@ namespace soffit::relight {
 
 /// What a quality means in numbers. Presets lie on the measured front of run time against error
 /// (`soffit bench`); single settings of the project override them by these names: texels,
-/// least_cell, patch, node_rays, trainings, field_rays, list_rays, max_rank, lists, tolerance, sensor_rays.
+/// least_cell, most_cell, patch, node_rays, trainings, field_rays, list_rays, max_rank, lists, tolerance, sensor_rays.
 struct QualitySettings {
   transfer::BakeSettings bake;
   int sensor_rays = 64;  ///< squared: gather rays per sensor

@@ -32,15 +32,20 @@ class Clock {
 };
 
 /// Texels of the wished number: whole cells first, the rest where cells are worth splitting. In a room
-/// where few are, smaller cells everywhere are the better use.
+/// where few are, smaller cells everywhere are the better use; in a large building more texels are.
 Texels layTexels(const StaticScene& scene, const BakeSettings& settings) {
-  const auto count = static_cast<std::size_t>(settings.texels);
+  auto count = static_cast<std::size_t>(settings.texels);
+  const double least = std::min(settings.least_cell, scene.mesh->bounds().diagonal() / 200.0);
   const auto cellFor = [&](double share) {
-    return cellForCount(*scene.mesh, scene.sides, static_cast<std::size_t>(share * static_cast<double>(count)),
-                        settings.least_cell);
+    return cellForCount(*scene.mesh, scene.sides, static_cast<std::size_t>(share * static_cast<double>(count)), least);
   };
   std::size_t useful = 0;
-  const double cell = cellFor(settings.whole_cells);
+  double cell = cellFor(settings.whole_cells);
+  const double most = std::max(settings.most_cell, least);
+  if (cell > most) {
+    count = static_cast<std::size_t>(static_cast<double>(count) * std::min(4.0, (cell / most) * (cell / most)));
+    cell = cellFor(settings.whole_cells);
+  }
   Texels texels = makeTexels(*scene.mesh, scene.sides, cell, &scene.caster, count, &useful);
   const double share = 1.0 - 1.3 * static_cast<double>(useful) / static_cast<double>(count);
   if (share < settings.whole_cells + 0.1) return texels;

@@ -59,11 +59,12 @@ std::string cacheKey(const StaticScene& scene, const BakeSettings& settings) {
   summary.add(scene.mesh->uvs);
   summary.add(scene.sides);
   // Taken apart like this, a setting that is added later does not compile until it counts too.
-  const auto& [texels, whole_cells, least_cell, patch, node_rays, trainings, field_rays, list_rays, max_rank,
+  const auto& [texels, whole_cells, least_cell, most_cell, patch, node_rays, trainings, field_rays, list_rays, max_rank,
                lists, tolerance, seed] = settings;
   summary.add(texels);
   summary.add(whole_cells);
   summary.add(least_cell);
+  summary.add(most_cell);
   summary.add(patch);
   summary.add(node_rays);
   summary.add(trainings);

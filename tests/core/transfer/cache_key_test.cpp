@@ -55,6 +55,7 @@ TEST(CacheKey, ChangesWithEverySetting) {
   const StaticScene scene = bareScene(roomMesh());
   const std::vector<std::function<void(BakeSettings&)>> changes = {
       [](BakeSettings& s) { ++s.texels; },           [](BakeSettings& s) { s.least_cell *= 1.001; },
+      [](BakeSettings& s) { s.most_cell *= 1.001; },
       [](BakeSettings& s) { s.patch = 64; },         [](BakeSettings& s) { ++s.node_rays; },
       [](BakeSettings& s) { ++s.trainings; },        [](BakeSettings& s) { ++s.field_rays; },
       [](BakeSettings& s) { ++s.list_rays; },        [](BakeSettings& s) { ++s.max_rank; },
