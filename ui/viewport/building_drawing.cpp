@@ -18,8 +18,10 @@ in vec2 uv;
 uniform mat4 clip_from_scene;
 out vec4 light;
 out vec2 at;
+out vec3 rho;
 void main() {
   gl_Position = clip_from_scene * vec4(position, 1.0);
+  rho = albedo;
   light = vec4(albedo * lux * 0.3183098861837907, dot(lux, vec3(0.2126390, 0.7151687, 0.0721923)));
   at = uv;
 }
@@ -34,6 +36,21 @@ out vec4 color;
 void main() {
   vec3 rho = mapped == 1 ? texture(map, vec2(at.x, 1.0 - at.y)).rgb : vec3(1.0);
   color = vec4(light.rgb * rho, max(light.a, 0.0));
+}
+)";
+
+// What SeenSurfaces::see() asks for.
+constexpr const char* kNumberFragment = R"(#version 150
+in vec3 rho;
+in vec2 at;
+uniform int mapped;
+uniform int first;
+uniform sampler2D map;
+out uint color;
+out vec4 more;
+void main() {
+  color = uint(first + gl_PrimitiveID + 1);
+  more = vec4(mapped == 1 ? rho * texture(map, vec2(at.x, 1.0 - at.y)).rgb : rho, 1.0);
 }
 )";
 
@@ -105,6 +122,7 @@ void BuildingDrawing::upload() {
   using Kind = GlBuffer::Kind;
   if (!mesh_program_.ready()) {
     mesh_program_.build(kMeshVertex, kMeshFragment);
+    number_program_.build(kMeshVertex, kNumberFragment);
     luminaire_program_.build(kLuminaireVertex, kLuminaireFragment);
     glGenVertexArrays(1, &mesh_array_);
     glGenVertexArrays(1, &luminaire_array_);
@@ -126,6 +144,7 @@ void BuildingDrawing::upload() {
     }
     light_dirty_ = true;
   }
+  if (mesh_dirty_ || view_dirty_) seen_.forget();
   mesh_dirty_ = false;
   if (view_dirty_ && mesh_ != nullptr) {
     glBindVertexArray(mesh_array_);
@@ -135,8 +154,11 @@ void BuildingDrawing::upload() {
   view_dirty_ = false;
   if (light_dirty_ && !light_.empty()) {
     glBindVertexArray(mesh_array_);
-    fill(lux_, Kind::vertices, light_, true);
-    attribute(2, lux_, 3);
+    // Four each: what pixels are shaded from is fetched in one piece.
+    std::vector<glm::vec4> padded(light_.size());
+    for (std::size_t i = 0; i < padded.size(); ++i) padded[i] = glm::vec4(light_[i], 0.0F);
+    fill(lux_, Kind::vertices, padded, true);
+    attribute(2, lux_, 3, sizeof(glm::vec4));
   }
   light_dirty_ = false;
   if (luminaires_dirty_) {
@@ -151,17 +173,18 @@ void BuildingDrawing::upload() {
   glBindVertexArray(0);
 }
 
-void BuildingDrawing::drawMesh(const glm::mat4& clip_from_scene) {
+void BuildingDrawing::drawMesh(const glm::mat4& clip_from_scene, const GlProgram& program) {
   if (mesh_ == nullptr || light_.empty()) return;
-  mesh_program_.use();
-  mesh_program_.set("clip_from_scene", clip_from_scene);
-  mesh_program_.set("map", 0);
+  program.use();
+  program.set("clip_from_scene", clip_from_scene);
+  program.set("map", 0);
   glBindVertexArray(mesh_array_);
   std::size_t first = 0;
   for (std::size_t i = 0; i < mesh_->parts.size(); ++i) {
     const bool mapped = mesh_->parts[i].map != nullptr;
     const std::uint32_t count = visible_counts_[i];
-    mesh_program_.set("mapped", mapped ? 1 : 0);
+    program.set("mapped", mapped ? 1 : 0);
+    program.set("first", static_cast<int>(first / 3));
     if (mapped) maps_[i].bind(0);
     if (count > 0) {
       glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
@@ -184,21 +207,44 @@ void BuildingDrawing::drawLuminaires(const glm::mat4& clip_from_scene) {
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
+bool BuildingDrawing::drawSeen(const SeenSurfaces::View& view, const vec3& background) {
+  if (mesh_ == nullptr || light_.size() != mesh_->vertexCount()) return false;
+  std::size_t shown = 0;
+  for (const std::uint32_t count : visible_counts_) shown += count;
+  const SeenSurfaces::Mesh buffers{positions_.id(), lux_.id(), indices_.id(), mesh_->vertexCount(), shown};
+  if (!SeenSurfaces::fits(buffers)) return false;
+  GLint target = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+  if (!seen_.holds(view)) {
+    seen_.see(view, buffers, [&] { drawMesh(view.clip_from_scene, number_program_); });
+  }
+  seen_.shade(static_cast<unsigned>(target), buffers, background, kBeyond);
+  glEnable(GL_DEPTH_TEST);
+  return true;
+}
+
 void BuildingDrawing::draw(const vec2& shift, const vec3& background) {
   upload();
   glm::mat4 shifted(1.0F);
   shifted[3] = glm::vec4(shift, 0.0F, 1.0F);
   const glm::mat4 clip_from_scene = shifted * clip_from_scene_;
-  glClearColor(background.x, background.y, background.z, kBeyond);
-  glDepthMask(GL_TRUE);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDisable(GL_BLEND);
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
   glFrontFace(GL_CCW);
-  drawMesh(clip_from_scene);
+  std::array<GLint, 4> viewport{};
+  glGetIntegerv(GL_VIEWPORT, viewport.data());
+  const SeenSurfaces::View view{clip_from_scene, viewport[2], viewport[3]};
+  const bool still = view == last_view_;
+  last_view_ = view;
+  if (!still || !drawSeen(view, background)) {
+    glClearColor(background.x, background.y, background.z, kBeyond);
+    glDepthMask(GL_TRUE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    drawMesh(clip_from_scene, mesh_program_);
+  }
   drawLuminaires(clip_from_scene);
   glBindVertexArray(0);
   glDisable(GL_CULL_FACE);
@@ -209,7 +255,9 @@ void BuildingDrawing::release() {
     buffer->release();
   }
   for (GlTexture& map : maps_) map.release();
+  seen_.release();
   mesh_program_.release();
+  number_program_.release();
   luminaire_program_.release();
   if (mesh_array_ != 0) glDeleteVertexArrays(1, &mesh_array_);
   if (luminaire_array_ != 0) glDeleteVertexArrays(1, &luminaire_array_);

@@ -4,6 +4,7 @@
 #include "ui/viewport/display_mesh.h"
 #include "ui/viewport/gl_objects.h"
 #include "ui/viewport/luminaire_mesh.h"
+#include "ui/viewport/seen_surfaces.h"
 
 #include <memory>
 #include <vector>
@@ -28,13 +29,16 @@ class BuildingDrawing {
   /// The camera of the next draws, and where its eye is (scene-local). What cannot be seen from
   /// there is not drawn.
   void setView(const glm::mat4& clip_from_scene, const vec3& eye);
-  /// Into the framebuffer that is bound; clears it. shift: of the picture, in clip coordinates.
+  /// Into the framebuffer that is bound; clears it. shift: of the picture, in clip coordinates. From
+  /// the second picture of a view on, what is seen is known (seen_surfaces.h).
   void draw(const vec2& shift, const vec3& background);
   void release();
 
  private:
   void upload();
-  void drawMesh(const glm::mat4& clip_from_scene);
+  void drawMesh(const glm::mat4& clip_from_scene, const GlProgram& program);
+  /// Whether the picture came from what is known of the view.
+  bool drawSeen(const SeenSurfaces::View& view, const vec3& background);
   void drawLuminaires(const glm::mat4& clip_from_scene);
 
   std::shared_ptr<const DisplayMesh> mesh_;
@@ -48,6 +52,8 @@ class BuildingDrawing {
   bool light_dirty_ = false;
   bool luminaires_dirty_ = false;
   int luminaire_corners_ = 0;
+  SeenSurfaces seen_;
+  SeenSurfaces::View last_view_;
 
   unsigned mesh_array_ = 0;
   unsigned luminaire_array_ = 0;
@@ -59,6 +65,7 @@ class BuildingDrawing {
   GlBuffer corners_;
   std::vector<GlTexture> maps_;  ///< per part; empty without a map
   GlProgram mesh_program_;
+  GlProgram number_program_;
   GlProgram luminaire_program_;
 };
 

@@ -49,6 +49,7 @@ void GlProgram::build(const std::string& vertex, const std::string& fragment) {
   const std::array<const char*, 4> inputs{"position", "albedo", "lux", "uv"};
   for (GLuint i = 0; i < inputs.size(); ++i) glBindAttribLocation(id_, i, inputs[i]);
   glBindFragDataLocation(id_, 0, "color");
+  glBindFragDataLocation(id_, 1, "more");
   glLinkProgram(id_);
   GLint linked = GL_FALSE;
   glGetProgramiv(id_, GL_LINK_STATUS, &linked);

@@ -27,7 +27,8 @@ class GlBuffer {
   std::size_t bytes_ = 0;
 };
 
-/// A linked program. Errors of compiling are programming faults: they are told on stderr by VTK's
+/// A linked program; its fragments write `color` to output 0 and, if they have it, `more` to
+/// output 1. Errors of compiling are programming faults: they are told on stderr by VTK's
 /// error macro and nothing is drawn.
 class GlProgram {
  public:
