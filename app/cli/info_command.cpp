@@ -10,8 +10,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -23,14 +25,22 @@ constexpr double kBytesPerReceiver = 1000.0;
 /// Seconds of one core per point and ray in a gather list, likewise.
 constexpr double kBakeSeconds = 4.5e-7;
 
-/// From the quality alone: what is already in the cache costs nothing.
+/// Lit sides of a triangle: one of a solid's, two of a sheet's.
+constexpr double kLitSides = 1.25;
+
+/// From quality and area: what is already in the cache costs nothing.
 Result<Cost> costOf(const scene::Scene& scene) {
   const auto quality = relight::qualitySettings(scene.quality);
   if (!quality) return quality.error();
   Cost cost;
   if (scene.mesh->triangleCount() == 0) return cost;
-  cost.receivers = static_cast<std::size_t>(quality->bake.texels);
-  const double points = quality->bake.texels;
+  // Large buildings take more points than the quality says (BakeSettings::most_cell).
+  const std::vector<double> areas = scene::materialAreas(scene);
+  const double cells = quality->bake.whole_cells * quality->bake.texels;
+  const double square = kLitSides * std::accumulate(areas.begin(), areas.end(), 0.0) / cells;
+  const double more = square / (quality->bake.most_cell * quality->bake.most_cell);
+  const double points = quality->bake.texels * std::clamp(more, 1.0, 4.0);
+  cost.receivers = static_cast<std::size_t>(points);
   cost.megabytes = kBytesPerReceiver * points / 1e6;
   cost.bake_s = kBakeSeconds * points * std::pow(quality->bake.list_rays, 2) / threadCount();
   return cost;

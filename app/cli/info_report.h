@@ -12,7 +12,7 @@
 
 namespace soffit::cli {
 
-/// What the bake is likely to take, from the quality alone.
+/// What the bake is likely to take, from quality and area.
 struct Cost {
   std::size_t receivers = 0;  ///< display points that light is computed at
   double bake_s = 0.0;        ///< on this machine's cores; nothing when it is cached
