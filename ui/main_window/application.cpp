@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSurfaceFormat>
+#include <QTimer>
 
 namespace soffit::ui {
 
@@ -37,6 +38,7 @@ int runApplication(int argc, char** argv, const char* version) {
   MainWindow window;
   window.show();
   if (!parser.positionalArguments().isEmpty()) window.open(parser.positionalArguments().front());
+  QTimer::singleShot(0, &window, [&window] { window.files().offerRecovery(); });
   return QApplication::exec();
 }
 
