@@ -77,8 +77,13 @@ ImportSheet::ImportSheet(const QString& model, const QString& open_project, QWid
   auto* place = new QHBoxLayout;
   place->addWidget(place_, 1);
   place->addWidget(browse);
-  form->addRow(tr("Into"), to_open_);
-  form->addRow(QString(), to_new_);
+  if (open_project.isEmpty()) {
+    to_open_->setParent(this);
+    form->addRow(tr("Into"), to_new_);
+  } else {
+    form->addRow(tr("Into"), to_open_);
+    form->addRow(QString(), to_new_);
+  }
   form->addRow(QString(), place);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(preview_, 1);

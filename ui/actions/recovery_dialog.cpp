@@ -31,11 +31,12 @@ RecoveryDialog::RecoveryDialog(const QList<Recovery>& recoveries, QWidget* paren
     QPixmap picture(kThumbnail);
     picture.fill(Qt::transparent);
     if (!recovery.thumbnail.isNull()) picture = QPixmap::fromImage(recovery.thumbnail);
+    QIcon icon(picture);
+    icon.addPixmap(picture, QIcon::Selected);  // not tinted
     list_->addItem(new QListWidgetItem(
-        QIcon(picture),
-        tr("%1\n%2\n%3")
-            .arg(recovery.name, QLocale().toString(recovery.saved, QLocale::ShortFormat),
-                 QDir::toNativeSeparators(recovery.path))));
+        icon, tr("%1\n%2\n%3")
+                  .arg(recovery.name, QLocale().toString(recovery.saved, QLocale::ShortFormat),
+                       QDir::toNativeSeparators(recovery.path))));
   }
   list_->setCurrentRow(0);
   auto* buttons = new QDialogButtonBox;

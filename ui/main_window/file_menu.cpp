@@ -44,7 +44,7 @@ void MainWindow::makeFileMenu() {
   menu.addSeparator();
   forProject(addEntry(menu, {tr("&Save"), QKeySequence::Save, {}}, this,
                       [this] { save(this, session_->document()); }));
-  forProject(addEntry(menu, {tr("Save &as\u2026"), QKeySequence::SaveAs, {}}, this,
+  forProject(addEntry(menu, {tr("Save &as\u2026"), QKeySequence(tr("Ctrl+Shift+S")), {}}, this,
                       [this] { saveAs(this, session_->document()); }));
   menu.addSeparator();
   forProject(addEntry(menu,

@@ -140,6 +140,14 @@ void ProjectSession::exportResults() {
 }
 
 void ProjectSession::onFrame() {
+  if (document_.luminaires().empty() && workspace_.area->view().frame() == nullptr) {
+    // A building in the dark cannot be worked in: it stays as it came until it has luminaires.
+    const bool nothing = document_.scene()->mesh->triangleCount() == 0;
+    workspace_.area->setNotice(
+        nothing ? tr("Drop the model of a building here, or import one: File \u25b8 Import a model")
+                : QString());
+    return;
+  }
   workspace_.area->view().setFrame(relighting_.frame());
   if (!document_.previewing()) {
     workspace_.view->suggestRange(color::roundRange(percentileLux(*relighting_.frame())));
