@@ -6,6 +6,7 @@
 #include "app/cli/output.h"
 #include "app/cli/program_files.h"
 #include "app/cli/progress_bar.h"
+#include "core/io/image/file_name.h"
 #include "core/io/image/write_image.h"
 #include "core/io/project/json.h"
 
@@ -47,7 +48,7 @@ Result<void> addProjects(const BenchArguments& arguments, BenchSweep& sweep, Ses
     common.project = path;
     auto project = loadForCommand(common, session, &progress);
     if (!project) return project.error();
-    std::string name = fileNameOf(project->path.stem().string());
+    std::string name = io::fileNameOf(project->path.stem().string());
     while (!names.insert(name).second) name += "_";
     sweep.add(name, std::move(*project));
   }

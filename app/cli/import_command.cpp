@@ -32,13 +32,11 @@ Result<void> runImport(const ImportOptions& options, Session& session) {
   if (!project) return project.error();
   session.warnings = project->warnings;
   const scene::Scene& scene = project->scene;
-  const vec3 size = scene.mesh->bounds().size();
   // The size tells at a glance whether the unit and the axis were right.
   return writeResult(
-      "", fmt::format("{}: {} triangles, {} materials, {:.2f} x {:.2f} m in plan, {:.2f} m high, "
-                      "{} cameras, {} work planes (soffit info tells more)\n",
-                      project->path.string(), scene.mesh->triangleCount(), scene.materials.size(),
-                      size.x, size.y, size.z, scene.cameras.size(), scene.work_planes.size()));
+      "", fmt::format("{}: {}, {} cameras, {} work planes (soffit info tells more)\n",
+                      project->path.string(), io::describeModel(io::sizeOf(scene)),
+                      scene.cameras.size(), scene.work_planes.size()));
 }
 
 }  // namespace

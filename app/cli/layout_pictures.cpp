@@ -4,6 +4,7 @@
 #include "app/cli/picture_file.h"
 #include "app/cli/picture_setup.h"
 #include "core/color/exposure.h"
+#include "core/io/image/file_name.h"
 #include "core/io/image/write_image.h"
 #include "core/render/difference_picture.h"
 #include "core/render/engine_light.h"
@@ -14,19 +15,6 @@
 #include <algorithm>
 
 namespace soffit::cli {
-
-std::string fileNameOf(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                       static_cast<unsigned char>(c) >= 0x80U ||
-                       std::string(" -_.+()").find(c) != std::string::npos;
-    out += plain ? c : '_';
-  }
-  // A leading dot would hide the file.
-  if (out.empty() || out[0] == '.') out = "_" + out;
-  return out;
-}
 
 LayoutPictures::LayoutPictures(std::string folder, LayoutPictureOptions options)
     : folder_(std::move(folder)), options_(std::move(options)) {}
@@ -89,10 +77,10 @@ Result<void> LayoutPictures::take(const io::Project& variant, const std::string&
 Result<void> LayoutPictures::write(const io::Project& variant, const std::string& layout,
                                    std::size_t camera, const render::Film& film) {
   const std::string suffix =
-      cameras_.size() > 1 ? ", " + fileNameOf(cameras_[camera].name) : std::string();
+      cameras_.size() > 1 ? ", " + io::fileNameOf(cameras_[camera].name) : std::string();
   const std::string project =
       variant.scene.name.empty() ? variant.path.stem().string() : variant.scene.name;
-  const auto path = folder_ / (fileNameOf(layout) + suffix + ".png");
+  const auto path = folder_ / (io::fileNameOf(layout) + suffix + ".png");
   const auto written =
       writePicture(path, film, picture_,
                    {.project = project, .layout = layout, .camera = cameras_[camera].name});
@@ -109,7 +97,7 @@ Result<void> LayoutPictures::write(const io::Project& variant, const std::string
                                                     {.range_lux = ranges_[camera], .title = title});
   if (!difference) return difference.error();
   const auto difference_path =
-      folder_ / (fileNameOf(layout) + " minus " + fileNameOf(first_layout_) + suffix + ".png");
+      folder_ / (io::fileNameOf(layout) + " minus " + io::fileNameOf(first_layout_) + suffix + ".png");
   io::WriteOptions how;
   how.metadata = {{"Project", project},
                   {"Layout", title},

@@ -60,8 +60,4 @@ class LayoutPictures {
   std::vector<std::string> files_;
 };
 
-/// A text as part of a file name: letters, digits, spaces and -_.+() stay (and anything beyond
-/// ASCII), the rest becomes "_".
-std::string fileNameOf(const std::string& text);
-
 }  // namespace soffit::cli

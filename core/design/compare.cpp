@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace soffit::design {
 namespace {
@@ -53,18 +54,37 @@ std::size_t newLights(std::span<const light::Luminaire> before,
 
 }  // namespace
 
+std::vector<scene::Sensor> sensorsOfAll(std::span<const scene::WorkPlane> planes) {
+  std::vector<scene::Sensor> sensors;
+  for (const scene::WorkPlane& plane : planes) {
+    const auto points = scene::sensorsOf(plane);
+    sensors.insert(sensors.end(), points.begin(), points.end());
+  }
+  return sensors;
+}
+
+double areaOfAll(std::span<const scene::WorkPlane> planes) {
+  double area = 0.0;
+  for (const scene::WorkPlane& plane : planes) area += glm::length(glm::cross(plane.u, plane.v));
+  return area;
+}
+
+LayoutFigures layoutFigures(std::string name, std::span<const light::Emitter> emitters,
+                            std::span<const scene::WorkPlane> planes,
+                            std::span<const relight::SensorLight> light) {
+  LayoutFigures figures;
+  figures.name = std::move(name);
+  addFlux(emitters, areaOfAll(planes), figures);
+  if (!light.empty()) addPlanes(planes, light, figures);
+  return figures;
+}
+
 Result<std::vector<LayoutFigures>> compareLayouts(std::shared_ptr<const relight::Solver> solver,
                                                   std::span<const scene::WorkPlane> planes,
                                                   std::span<const LayoutCase> layouts,
                                                   int sensor_rays, std::uint64_t seed,
                                                   const Job& job, const LayoutVisitor& visit) {
-  std::vector<scene::Sensor> sensors;
-  double area = 0.0;
-  for (const scene::WorkPlane& plane : planes) {
-    const auto points = scene::sensorsOf(plane);
-    sensors.insert(sensors.end(), points.begin(), points.end());
-    area += glm::length(glm::cross(plane.u, plane.v));
-  }
+  const std::vector<scene::Sensor> sensors = sensorsOfAll(planes);
   std::optional<relight::Sensors> prepared;
   if (!sensors.empty()) {
     prepared.emplace(*solver, sensors, relight::Quantity::planar, sensor_rays, seed);
@@ -73,8 +93,6 @@ Result<std::vector<LayoutFigures>> compareLayouts(std::shared_ptr<const relight:
   std::vector<LayoutFigures> out;
   for (std::size_t i = 0; i < layouts.size(); ++i) {
     job.report("comparing layouts", static_cast<double>(i) / static_cast<double>(layouts.size()));
-    LayoutFigures figures;
-    figures.name = layouts[i].name;
     const std::vector<light::Emitter> old(lighting->emitters().begin(), lighting->emitters().end());
     const auto set = lighting->setLuminaires(layouts[i].luminaires, job);
     if (!set) {
@@ -82,12 +100,13 @@ Result<std::vector<LayoutFigures>> compareLayouts(std::shared_ptr<const relight:
       error.place = fmt::format("layouts.{}: {}", layouts[i].name, error.place);
       return error;
     }
+    LayoutFigures figures = layoutFigures(
+        layouts[i].name, lighting->emitters(), planes,
+        prepared ? lighting->read(*prepared) : std::vector<relight::SensorLight>());
     figures.lights_computed =
         newLights(i > 0 ? std::span<const light::Luminaire>(layouts[i - 1].luminaires)
                         : std::span<const light::Luminaire>(),
                   layouts[i].luminaires, old, lighting->emitters());
-    addFlux(lighting->emitters(), area, figures);
-    if (prepared) addPlanes(planes, lighting->read(*prepared), figures);
     if (visit) {
       const auto visited = visit(i, lighting);
       if (!visited) return visited.error();

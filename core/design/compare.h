@@ -37,6 +37,22 @@ struct LayoutFigures {
   std::size_t lights_computed = 0;  ///< whose light the layout before did not already have
 };
 
+/// The figures of one layout.
+///
+/// emitters  its luminaires.
+/// light     at the sensors of the work planes, plane by plane in the order of sensorsOf(); empty
+///           when there are none.
+/// lights_computed is left at 0.
+LayoutFigures layoutFigures(std::string name, std::span<const light::Emitter> emitters,
+                            std::span<const scene::WorkPlane> planes,
+                            std::span<const relight::SensorLight> light);
+
+/// Sensors of all work planes, plane by plane.
+std::vector<scene::Sensor> sensorsOfAll(std::span<const scene::WorkPlane> planes);
+
+/// Area of all work planes, m^2.
+double areaOfAll(std::span<const scene::WorkPlane> planes);
+
 /// Called for each layout while its light is at hand, say to take pictures.
 using LayoutVisitor =
     std::function<Result<void>(std::size_t index, std::shared_ptr<const relight::Lighting>)>;

@@ -37,8 +37,18 @@ float surfaceAt(const Film& first, const Film& second, std::size_t i) {
   return std::min(first.surface[i], second.surface[i]);
 }
 
-/// Ticks of the positive half, mirrored.
-std::vector<color::LegendTick> symmetricTicks(double range, int most) {
+}  // namespace
+
+vec3 differenceColor(float place) {
+  if (std::isnan(place)) place = 0.0F;
+  const float at = 0.5F * (std::clamp(place, -1.0F, 1.0F) + 1.0F) * (kAnchors.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(at), kAnchors.size() - 2);
+  const float share = at - static_cast<float>(below);
+  return (1.0F - share) * kAnchors[below] + share * kAnchors[below + 1];
+}
+
+std::vector<color::LegendTick> differenceTicks(double range, int most) {
+  // Ticks of the positive half, mirrored.
   std::vector<color::LegendTick> ticks;
   for (const auto& tick :
        color::legendTicks({.min = 0.0, .max = range}, std::max(2, (most + 1) / 2))) {
@@ -48,16 +58,6 @@ std::vector<color::LegendTick> symmetricTicks(double range, int most) {
   }
   std::sort(ticks.begin(), ticks.end(), [](const auto& a, const auto& b) { return a.lux < b.lux; });
   return ticks;
-}
-
-}  // namespace
-
-vec3 differenceColor(float place) {
-  if (std::isnan(place)) place = 0.0F;
-  const float at = 0.5F * (std::clamp(place, -1.0F, 1.0F) + 1.0F) * (kAnchors.size() - 1);
-  const auto below = std::min(static_cast<std::size_t>(at), kAnchors.size() - 2);
-  const float share = at - static_cast<float>(below);
-  return (1.0F - share) * kAnchors[below] + share * kAnchors[below + 1];
 }
 
 double fittingDifference(const Film& first, const Film& second) {
@@ -99,7 +99,7 @@ Result<scene::Image> differencePicture(const Film& first, const Film& second,
   });
   if (options.legend) {
     drawLegend(image, {[](float place) { return differenceColor(2.0F * place - 1.0F); },
-                       symmetricTicks(range, legendRoom(image))});
+                       differenceTicks(range, legendRoom(image))});
   }
   drawTitle(image, options.title);
   return image;

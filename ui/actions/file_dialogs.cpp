@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "ui/actions/file_dialogs.h"
 
-#include "core/io/image/write_image.h"
+#include "core/io/project/move_project.h"
 #include "ui/document/recent_files.h"
+#include "ui/document/state_folder.h"
 #include "ui/document/text.h"
+#include "ui/jobs/background.h"
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QEventLoop>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStandardPaths>
+
+#include <optional>
 
 namespace soffit::ui {
 namespace {
@@ -19,13 +25,27 @@ QString tr(const char* text) {
   return QCoreApplication::translate("Files", text);
 }
 
+/// Written on another thread; the window goes on painting, but takes no input meanwhile.
 bool saveTo(QWidget* parent, Document& document, const QString& path) {
-  const auto saved = document.save(toPath(path));
-  if (!saved) {
-    showError(parent, tr("The project was not saved"), messageOf(saved.error()));
+  const io::Project project = document.current();
+  std::optional<Result<io::Project>> saved;
+  QEventLoop loop;
+  {
+    Background background;
+    background.run([&saved, project, file = toPath(path), &loop]() -> Background::End {
+      saved = io::saveProjectAs(project, file);
+      return [&loop] { loop.quit(); };
+    });
+    loop.exec(QEventLoop::ExcludeUserInputEvents);
+  }
+  if (!*saved) {
+    showError(parent, tr("The project was not saved"), messageOf(saved->error()));
     return false;
   }
+  const QString before = document.path();
+  document.setSaved(**saved);
   rememberFile(path);
+  if (before != path) removeUntitledProject(before);
   return true;
 }
 
@@ -45,23 +65,33 @@ QString askProjectToOpen(QWidget* parent) {
                                       tr("Soffit projects (*.soffit);;All files (*)"));
 }
 
+QString askModelToImport(QWidget* parent) {
+  const QStringList recent = recentFiles();
+  const QString folder = recent.isEmpty() ? QDir::homePath() : QFileInfo(recent.front()).path();
+  return QFileDialog::getOpenFileName(
+      parent, tr("Import a model"), folder,
+      tr("Models (*.obj *.gltf *.glb *.ply *.stl *.3ds *.fbx *.dae *.ifc);;All files (*)"));
+}
+
 bool save(QWidget* parent, Document& document) {
+  if (isUntitledProject(document.path())) return saveAs(parent, document);
   return saveTo(parent, document, document.path());
 }
 
 bool saveAs(QWidget* parent, Document& document) {
-  const QFileInfo old(document.path());
-  QString path = QFileDialog::getSaveFileName(parent, tr("Save the project as"), document.path(),
+  QString suggestion = document.path();
+  if (isUntitledProject(suggestion)) {
+    const QDir documents(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+    suggestion = documents.filePath(document.name() + QStringLiteral(".soffit"));
+  }
+  QString path = QFileDialog::getSaveFileName(parent, tr("Save the project as"), suggestion,
                                               tr("Soffit projects (*.soffit)"));
   if (path.isEmpty()) return false;
   if (!path.endsWith(QLatin1String(".soffit"))) path += QStringLiteral(".soffit");
-  if (QFileInfo(path).dir().canonicalPath() != old.dir().canonicalPath()) {
-    showError(parent, tr("The project stays in its folder"),
-              tr("The models and photometric files that it names lie in %1. Choose another name "
-                 "there, or copy the whole folder first.")
-                  .arg(old.dir().path()));
-    return false;
-  }
+  return saveAs(parent, document, path);
+}
+
+bool saveAs(QWidget* parent, Document& document, const QString& path) {
   return saveTo(parent, document, path);
 }
 
@@ -80,35 +110,6 @@ bool mayClose(QWidget* parent, Document& document) {
     default:
       return false;
   }
-}
-
-Result<void> writePicture(const QString& path, const Document& document, const QImage& picture) {
-  scene::Image image{picture.width(), picture.height(), 3, {}};
-  image.pixels.reserve(3 * static_cast<std::size_t>(picture.width()) *
-                       static_cast<std::size_t>(picture.height()));
-  const QImage rgb = picture.convertToFormat(QImage::Format_RGB888);
-  for (int y = 0; y < rgb.height(); ++y) {
-    const uchar* row = rgb.constScanLine(y);
-    for (int i = 0; i < 3 * rgb.width(); ++i) {
-      image.pixels.push_back(static_cast<float>(row[i]) / 255.0F);
-    }
-  }
-  io::WriteOptions options;
-  options.metadata = {{"Project", document.scene()->name}, {"Layout", toStd(document.layout())}};
-  return io::writeImage(toPath(path), image, options);
-}
-
-bool exportPicture(QWidget* parent, const Document& document, const QImage& picture) {
-  const QFileInfo project(document.path());
-  const QString suggestion =
-      project.dir().filePath(project.completeBaseName() + QStringLiteral(".png"));
-  QString path = QFileDialog::getSaveFileName(parent, tr("Export the view"), suggestion,
-                                              tr("Pictures (*.png *.jpg *.tif)"));
-  if (path.isEmpty()) return false;
-  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
-  const auto written = writePicture(path, document, picture);
-  if (!written) showError(parent, tr("The picture was not written"), messageOf(written.error()));
-  return written.ok();
 }
 
 }  // namespace soffit::ui

@@ -3,7 +3,6 @@
 
 #include "ui/document/document.h"
 
-#include <QImage>
 #include <QString>
 
 class QWidget;
@@ -12,20 +11,17 @@ class QWidget;
 namespace soffit::ui {
 
 QString askProjectToOpen(QWidget* parent);
+QString askModelToImport(QWidget* parent);
 
-/// Saves to the document's own file, or asks for another name in the project's folder: the files
-/// that a project names lie beside it and may not leave that folder.
+/// Saves to the document's own file, or asks for a place; a new project has none yet. At another
+/// place the project takes all files with it that it names.
 bool save(QWidget* parent, Document& document);
 bool saveAs(QWidget* parent, Document& document);
+/// The same without asking for the place.
+bool saveAs(QWidget* parent, Document& document, const QString& path);
 
 /// Asks what becomes of unsaved changes, and saves them if that is wished. False: stay.
 bool mayClose(QWidget* parent, Document& document);
-
-/// Asks for a file and writes a picture of the view to it (PNG, JPEG or TIFF).
-bool exportPicture(QWidget* parent, const Document& document, const QImage& picture);
-
-/// The same without asking. Errors: io::writeImage()'s.
-Result<void> writePicture(const QString& path, const Document& document, const QImage& picture);
 
 void showError(QWidget* parent, const QString& title, const QString& message);
 

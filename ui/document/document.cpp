@@ -76,6 +76,17 @@ void Document::edit(const QString& text, scene::Scene next, int merge_key) {
       [this](const ScenePtr& scene, const QString& layout) { show(scene, layout); }));
 }
 
+void Document::editLayouts(const QString& text, scene::Scene next, const QString& layout_after) {
+  cancelPreview();
+  auto after = std::make_shared<const scene::Scene>(std::move(next));
+  if (!scene::diff(*scene_, *after).any()) return;
+  auto* command = new SceneCommand(
+      text, scene_, std::move(after), layout_, -1,
+      [this](const ScenePtr& scene, const QString& layout) { show(scene, layout); });
+  command->setLayoutAfter(layout_after);
+  undo_stack_.push(command);
+}
+
 scene::Scene Document::withChange(const scene::Scene& from, const QStringList& names,
                                   const std::function<void(light::Luminaire&)>& change) const {
   scene::Scene next = from;
@@ -116,6 +127,42 @@ void Document::commitPreview(const QString& text) {
 void Document::cancelPreview() {
   if (before_preview_ == nullptr) return;
   show(std::exchange(before_preview_, nullptr), layout_);
+}
+
+io::Project Document::current() const {
+  io::Project project = project_;
+  project.scene = before_preview_ == nullptr ? *scene_ : *before_preview_;
+  return project;
+}
+
+void Document::setSaved(const io::Project& saved) {
+  const bool moved = saved.path != project_.path;
+  project_.path = saved.path;
+  project_.assets = saved.assets;
+  undo_stack_.setClean();
+  if (moved) Q_EMIT pathChanged();
+}
+
+void Document::setRecovered() {
+  undo_stack_.resetClean();
+}
+
+void Document::growTo(const QString& text, io::Project grown) {
+  cancelPreview();
+  auto after = std::make_shared<const scene::Scene>(std::move(grown.scene));
+  grown.scene = {};
+  // What saving needs to know of the files goes to and fro with the scene.
+  const auto files_before = std::make_shared<io::Project>(project_);
+  const auto files_after = std::make_shared<io::Project>(std::move(grown));
+  undo_stack_.push(new SceneCommand(
+      text, scene_, after, layout_, -1,
+      [this, after, files_before, files_after](const ScenePtr& scene, const QString& layout) {
+        const io::Project& files = scene == after ? *files_after : *files_before;
+        project_.geometry = files.geometry;
+        project_.file_materials = files.file_materials;
+        project_.document = files.document;
+        show(scene, layout);
+      }));
 }
 
 Result<void> Document::save(const std::filesystem::path& file) {

@@ -46,6 +46,8 @@ class Document : public QObject {
   /// Another scene, as one undo step. Consecutive edits with the same text and merge_key (not -1)
   /// are one step. An equal scene is no step.
   void edit(const QString& text, scene::Scene next, int merge_key = -1);
+  /// Another scene in which another layout is shown, as one undo step.
+  void editLayouts(const QString& text, scene::Scene next, const QString& layout_after);
   /// The same for the luminaires named: `change` alters each in place, in the layout that is shown.
   void editLuminaires(const QString& text, const QStringList& names,
                       const std::function<void(light::Luminaire&)>& change, int merge_key = -1);
@@ -57,6 +59,15 @@ class Document : public QObject {
   /// Makes the preview an undo step, or goes back to the scene before it.
   void commitPreview(const QString& text);
   void cancelPreview();
+
+  /// The project as it is now, to be written or read by other threads.
+  [[nodiscard]] io::Project current() const;
+  /// `saved` was written at its path and is the project from now on; nothing is left to save.
+  void setSaved(const io::Project& saved);
+  /// What was loaded is not what lies at path(): a recovered version.
+  void setRecovered();
+  /// A project that grew by a model (io::withModel of current()), as one undo step.
+  void growTo(const QString& text, io::Project grown);
 
   /// Writes the project (io::saveProject) and makes `file` its path.
   /// Errors: saveProject()'s; nothing has changed then.

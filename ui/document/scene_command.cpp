@@ -11,6 +11,7 @@ SceneCommand::SceneCommand(const QString& text, ScenePtr before, ScenePtr after,
       before_(std::move(before)),
       after_(std::move(after)),
       layout_(std::move(layout)),
+      layout_after_(layout_),
       merge_key_(merge_key),
       show_(std::move(show)) {}
 
@@ -26,7 +27,7 @@ void SceneCommand::undo() {
 }
 
 void SceneCommand::redo() {
-  show_(after_, layout_);
+  show_(after_, layout_after_);
 }
 
 }  // namespace soffit::ui

@@ -3,12 +3,16 @@
 
 #include "ui/document/text.h"
 
+#include <utility>
+
 namespace soffit::ui {
 
-LoadJob::LoadJob(const QString& path, QObject* parent) : QObject(parent), path_(path) {
+LoadJob::LoadJob(const QString& path, std::optional<std::string> text, QObject* parent)
+    : QObject(parent), path_(path) {
   connect(&relay_, &ProgressRelay::progressed, this, &LoadJob::progressed);
-  thread_ = std::jthread([this](const std::stop_token& stop) {
+  thread_ = std::jthread([this, text = std::move(text)](const std::stop_token& stop) {
     io::LoadOptions options;
+    options.text = text;
     options.job = Job{&relay_, stop};
     auto project = io::loadProject(toPath(path_), options);
     if (stop.stop_requested()) return;

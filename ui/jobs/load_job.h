@@ -17,7 +17,9 @@ class LoadJob : public QObject {
   Q_OBJECT
 
  public:
-  explicit LoadJob(const QString& path, QObject* parent = nullptr);
+  /// text: the content to load in place of the file's; nothing: the file's.
+  explicit LoadJob(const QString& path, std::optional<std::string> text = {},
+                   QObject* parent = nullptr);
   ~LoadJob() override;
 
   void cancel() { thread_.request_stop(); }

@@ -63,6 +63,19 @@ LightFramePtr RelightWorker::takeFrame() {
   return std::exchange(frame_, nullptr);
 }
 
+void RelightWorker::requestOther(LightRequest request) {
+  {
+    const std::scoped_lock lock(mutex_);
+    other_ = std::move(request);
+  }
+  wake_.notify_all();
+}
+
+LightFramePtr RelightWorker::takeOther() {
+  const std::scoped_lock lock(mutex_);
+  return std::exchange(other_frame_, nullptr);
+}
+
 void RelightWorker::publish(LightFramePtr frame) {
   {
     const std::scoped_lock lock(mutex_);
@@ -103,10 +116,14 @@ void RelightWorker::onSolver(Result<SolverBake::Outcome> outcome) {
 void RelightWorker::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     std::stop_token give_up;
+    std::optional<LightRequest> other;
     {
       std::unique_lock lock(mutex_);
-      wake_.wait(lock, stop, [this] { return newest_.has_value() || arrived_.has_value(); });
+      wake_.wait(lock, stop, [this] {
+        return newest_.has_value() || arrived_.has_value() || (has_solver_ && other_.has_value());
+      });
       if (stop.stop_requested()) return;
+      if (!newest_ && !arrived_) other = std::exchange(other_, std::nullopt);
       if (newest_) last_ = std::exchange(newest_, std::nullopt);
       if (arrived_) {
         columns_.setSolver(arrived_->solver);
@@ -116,7 +133,11 @@ void RelightWorker::run(const std::stop_token& stop) {
       current_ = std::stop_source();
       give_up = current_.get_token();
     }
-    if (last_) serve(*last_, give_up);
+    if (other) {
+      serveOther(std::move(*other), give_up);
+    } else if (last_) {
+      serve(*last_, give_up);
+    }
   }
 }
 
@@ -136,16 +157,13 @@ void RelightWorker::ensureMaterials(const LightRequest& request) {
   columns_.setSolver(columns_.solver()->repainted(materials_));
 }
 
-void RelightWorker::serve(const LightRequest& request, const std::stop_token& stop) {
+LightFramePtr RelightWorker::lightOf(const LightRequest& request, const std::stop_token& stop) {
   const auto start = Clock::now();
-  ensureBake(request);
-  if (columns_.solver() == nullptr) return;  // its arrival wakes this thread
-  ensureMaterials(request);
   auto answer =
       columns_.light(request.layout, request.luminaires, request.in_hand, Job{nullptr, stop});
   if (!answer) {
     if (!stop.stop_requested()) Q_EMIT failed(messageOf(answer.error()));
-    return;
+    return nullptr;
   }
   auto frame = std::make_shared<LightFrame>();
   frame->solver = columns_.solver();
@@ -155,7 +173,29 @@ void RelightWorker::serve(const LightRequest& request, const std::stop_token& st
   for (const light::Luminaire& l : request.luminaires) frame->names.push_back(l.name);
   frame->revision = request.revision;
   frame->milliseconds = millisecondsSince(start);
-  publish(std::move(frame));
+  return frame;
+}
+
+void RelightWorker::serve(const LightRequest& request, const std::stop_token& stop) {
+  ensureBake(request);
+  has_solver_ = columns_.solver() != nullptr;
+  if (!has_solver_) return;  // its arrival wakes this thread
+  ensureMaterials(request);
+  if (LightFramePtr frame = lightOf(request, stop)) publish(std::move(frame));
+}
+
+void RelightWorker::serveOther(LightRequest request, const std::stop_token& stop) {
+  LightFramePtr frame = lightOf(request, stop);
+  {
+    const std::scoped_lock lock(mutex_);
+    if (frame == nullptr && stop.stop_requested()) {
+      // Interrupted for the layout that is shown: its turn comes again.
+      if (!other_) other_ = std::move(request);
+      return;
+    }
+    other_frame_ = std::move(frame);
+  }
+  Q_EMIT otherReady();
 }
 
 }  // namespace soffit::ui

@@ -38,6 +38,11 @@ class RelightWorker : public QObject {
   ~RelightWorker() override;
 
   void request(LightRequest request);
+  /// The light of another layout, when there is nothing else to do; a newer one takes its place.
+  /// Answered by otherReady(), not before there is a light transport.
+  void requestOther(LightRequest request);
+  /// Null where its luminaires have a fault (failed() told it).
+  LightFramePtr takeOther();
   /// Gives up the precomputation; the coarse light stays, if there is any.
   void cancelBake();
   /// The newest finished light, once each; null when there is nothing new.
@@ -45,6 +50,7 @@ class RelightWorker : public QObject {
 
  Q_SIGNALS:
   void frameReady();
+  void otherReady();
   void progressed(const QString& stage, double done);
   /// The precomputation ended: detail is a line for the log, empty when it was cancelled.
   void bakeFinished(const QString& detail);
@@ -53,6 +59,8 @@ class RelightWorker : public QObject {
  private:
   void run(const std::stop_token& stop);
   void serve(const LightRequest& request, const std::stop_token& stop);
+  void serveOther(LightRequest request, const std::stop_token& stop);
+  [[nodiscard]] LightFramePtr lightOf(const LightRequest& request, const std::stop_token& stop);
   void ensureBake(const LightRequest& request);
   void ensureMaterials(const LightRequest& request);
   void onSolver(Result<SolverBake::Outcome> outcome);
@@ -66,12 +74,15 @@ class RelightWorker : public QObject {
   std::optional<LightRequest> newest_;          // guarded by mutex_
   std::optional<SolverBake::Outcome> arrived_;  // guarded by mutex_
   LightFramePtr frame_;                         // guarded by mutex_
+  std::optional<LightRequest> other_;           // guarded by mutex_
+  LightFramePtr other_frame_;                   // guarded by mutex_
   std::stop_source current_;                    // guarded by mutex_
 
   // Of the light thread alone.
   LightColumns columns_;
   std::vector<scene::Material> materials_;
   std::optional<LightRequest> last_;
+  bool has_solver_ = false;
 
   std::mutex bake_mutex_;
   std::unique_ptr<SolverBake> bake_;  // guarded by bake_mutex_

@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSurfaceFormat>
+#include <QTimer>
 
 namespace soffit::ui {
 
@@ -29,14 +30,16 @@ int runApplication(int argc, char** argv, const char* version) {
   parser.addHelpOption();
   parser.addVersionOption();
   parser.addPositionalArgument(QStringLiteral("project"),
-                               QApplication::translate("Application", "Project to open"),
+                               QApplication::translate("Application", "Project or model to open"),
                                QStringLiteral("[project]"));
   parser.process(application);
   systemIsDark();  // before the palette is ours
   applyTheme(savedTheme());
   MainWindow window;
   window.show();
-  if (!parser.positionalArguments().isEmpty()) window.open(parser.positionalArguments().front());
+  if (!parser.positionalArguments().isEmpty())
+    window.files().openFile(parser.positionalArguments().front());
+  QTimer::singleShot(0, &window, [&window] { window.files().offerRecovery(); });
   return QApplication::exec();
 }
 

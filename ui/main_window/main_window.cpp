@@ -3,16 +3,19 @@
 
 #include "ui/actions/file_dialogs.h"
 #include "ui/document/recent_files.h"
+#include "ui/document/state_folder.h"
 #include "ui/document/text.h"
 #include "ui/jobs/load_job.h"
 
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTimer>
 #include <QUndoGroup>
 
 namespace soffit::ui {
@@ -25,6 +28,7 @@ constexpr QSize kFrame(16, 48);  ///< what the desktop's own frame may take
 
 MainWindow::MainWindow()
     : workspace_(makeWorkspace(*this)),
+      files_(*this, workspace_),
       pages_(new QStackedWidget),
       start_(new StartPage),
       undo_(new QUndoGroup(this)) {
@@ -37,10 +41,17 @@ MainWindow::MainWindow()
   pages_->addWidget(start);
   pages_->addWidget(workspace_.area);
   setCentralWidget(pages_);
+  setAcceptDrops(true);
+  connect(&files_, &ProjectFiles::openRequested, this, &MainWindow::openVersion);
   connect(start_, &StartPage::chosen, this, &MainWindow::open);
   connect(start_, &StartPage::openRequested, this, [this] {
     const QString path = askProjectToOpen(this);
-    if (!path.isEmpty()) open(path);
+    if (!path.isEmpty()) files_.openFile(path);
+  });
+  connect(start_, &StartPage::newRequested, &files_, &ProjectFiles::newProject);
+  connect(start_, &StartPage::importRequested, this, [this] {
+    const QString path = askModelToImport(this);
+    if (!path.isEmpty()) files_.importModel(path);
   });
   connect(workspace_.status, &StatusLine::cancelRequested, this, [this] {
     if (load_ != nullptr) load_->cancel();
@@ -72,9 +83,12 @@ void MainWindow::showWorkspace(bool shown) {
   updateTitle();
 }
 
-void MainWindow::open(const QString& path) {
-  if (!closeProject()) return;
-  load_ = std::make_unique<LoadJob>(path);
+void MainWindow::openVersion(const QString& path, const std::optional<std::string>& text) {
+  if (!closeProject()) {
+    removeUntitledProject(path);
+    return;
+  }
+  load_ = std::make_unique<LoadJob>(path, text);
   connect(load_.get(), &LoadJob::progressed, workspace_.status, &StatusLine::showProgress);
   connect(load_.get(), &LoadJob::loaded, this, &MainWindow::finishOpening);
   connect(load_.get(), &LoadJob::failed, this, [this](const QString& message) {
@@ -90,7 +104,8 @@ void MainWindow::finishOpening() {
   showWorkspace(true);
   session_ = std::make_unique<ProjectSession>(load_->take(), workspace_);
   Document& document = session_->document();
-  rememberFile(document.path());
+  if (!isUntitledProject(document.path())) rememberFile(document.path());
+  files_.begin(*session_);
   undo_->addStack(document.undoStack());
   undo_->setActiveStack(document.undoStack());
   connect(&document, &Document::modifiedChanged, this, &MainWindow::updateTitle);
@@ -103,6 +118,7 @@ bool MainWindow::closeProject() {
   load_.reset();
   if (session_ == nullptr) return true;
   if (!mayClose(this, session_->document())) return false;
+  files_.end();
   session_.reset();
   return true;
 }
@@ -118,12 +134,16 @@ void MainWindow::updateTitle() {
   setWindowModified(session_->document().isModified());
 }
 
-void MainWindow::exportView() {
-  SceneView& view = workspace_.area->view();
-  const QImage picture = view.picture(view.pixelSize(), false);
-  if (exportPicture(this, session_->document(), picture)) {
-    workspace_.log->addLine(tr("Exported the view"));
-  }
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!ProjectFiles::droppable(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString path = ProjectFiles::droppable(event->mimeData());
+  if (path.isEmpty()) return;
+  event->acceptProposedAction();
+  // After the drop: the other program waits for its end.
+  QTimer::singleShot(0, this, [this, path] { files_.openFile(path); });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ui/main_window/project_files.h"
 #include "ui/main_window/project_session.h"
 #include "ui/main_window/workspace.h"
 #include "ui/panels/start_page.h"
@@ -25,12 +26,17 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   /// Opens a project; reading goes on in the background.
-  void open(const QString& path);
+  void open(const QString& path) { openVersion(path, std::nullopt); }
+  /// The same with a text in place of the file's: changes that are not saved yet.
+  void openVersion(const QString& path, const std::optional<std::string>& text);
+  [[nodiscard]] ProjectFiles& files() { return files_; }
   [[nodiscard]] ProjectSession* session() { return session_.get(); }
   [[nodiscard]] Workspace& workspace() { return workspace_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   void makeMenus();
@@ -38,17 +44,19 @@ class MainWindow : public QMainWindow {
   void makeEditMenu();
   void makeViewMenu();
   void makeLuminaireMenu();
+  void makeResultsMenu();
+  void makeLayoutsMenu();
   void makeOtherMenus();
   void finishOpening();
   void showWorkspace(bool shown);
   void updateTitle();
   bool closeProject();
-  void exportView();
   void showAbout();
   /// A menu entry that is there only while a project is open.
   void forProject(QAction* action);
 
   Workspace workspace_;
+  ProjectFiles files_;
   QStackedWidget* pages_;
   StartPage* start_;
   QUndoGroup* undo_;

@@ -25,44 +25,9 @@ void MainWindow::makeMenus() {
   makeEditMenu();
   makeViewMenu();
   makeLuminaireMenu();
+  makeResultsMenu();
+  makeLayoutsMenu();
   makeOtherMenus();
-}
-
-void MainWindow::makeFileMenu() {
-  QMenu& menu = *menuBar()->addMenu(tr("&File"));
-  addEntry(menu, {tr("&Open\u2026"), QKeySequence::Open, {}}, this, [this] {
-    const QString path = askProjectToOpen(this);
-    if (!path.isEmpty()) open(path);
-  });
-  QMenu* recent = menu.addMenu(tr("Open &recent"));
-  connect(recent, &QMenu::aboutToShow, this, [this, recent] {
-    recent->clear();
-    for (const QString& path : recentFiles()) {
-      addEntry(*recent, {path, {}, {}}, this, [this, path] { open(path); });
-    }
-    if (recent->isEmpty()) recent->addAction(tr("None yet"))->setEnabled(false);
-  });
-  QMenu* samples = menu.addMenu(tr("S&ample projects"));
-  for (const QString& path : sampleProjects()) {
-    QString name = path.section(QLatin1Char('/'), -1).section(QLatin1Char('.'), 0, 0);
-    name[0] = name[0].toUpper();
-    addEntry(*samples, {name, {}, path}, this, [this, path] { open(path); });
-  }
-  forProject(addEntry(menu, {tr("&Close project"), QKeySequence::Close, {}}, this, [this] {
-    if (closeProject()) showWorkspace(false);
-  }));
-  menu.addSeparator();
-  forProject(addEntry(menu, {tr("&Save"), QKeySequence::Save, {}}, this,
-                      [this] { save(this, session_->document()); }));
-  forProject(addEntry(menu, {tr("Save &as\u2026"), QKeySequence::SaveAs, {}}, this,
-                      [this] { saveAs(this, session_->document()); }));
-  menu.addSeparator();
-  forProject(addEntry(menu,
-                      {tr("&Export the view\u2026"), QKeySequence(tr("Ctrl+E")),
-                       tr("A picture of the view as it is, without gizmo and outlines")},
-                      this, [this] { exportView(); }));
-  menu.addSeparator();
-  addEntry(menu, {tr("&Quit"), QKeySequence(tr("Ctrl+Q")), {}}, this, [this] { close(); });
 }
 
 void MainWindow::makeEditMenu() {
@@ -128,18 +93,6 @@ void MainWindow::makeLuminaireMenu() {
 }
 
 void MainWindow::makeOtherMenus() {
-  QMenu& layouts = *menuBar()->addMenu(tr("L&ayouts"));
-  forProject(addEntry(layouts, {tr("&Duplicate the layout shown"), {}, {}}, this,
-                      [this] { workspace_.layouts->duplicateShown(); }));
-  forProject(addEntry(layouts, {tr("&Next layout"), QKeySequence(Qt::Key_V), {}}, this, [this] {
-    Document& document = session_->document();
-    QStringList names{QString()};
-    for (const auto& layout : document.scene()->layouts) {
-      names.append(QString::fromStdString(layout.name));
-    }
-    const auto at = names.indexOf(document.layout());
-    document.setLayout(names[(at + 1) % names.size()]);
-  }));
   QMenu& window = *menuBar()->addMenu(tr("&Window"));
   for (QDockWidget* dock : workspace_.docks) {
     window.addAction(dock->toggleViewAction());

@@ -3,6 +3,8 @@
 
 #include "core/color/exposure.h"
 #include "core/io/project/starting_place.h"
+#include "ui/actions/file_dialogs.h"
+#include "ui/actions/results_actions.h"
 #include "ui/document/text.h"
 #include "ui/viewport/picture_pass.h"
 
@@ -34,7 +36,8 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
     : QObject(parent),
       document_(std::move(project)),
       workspace_(workspace),
-      relighting_(document_) {
+      relighting_(document_),
+      readings_(document_, relighting_) {
   SceneView& view = workspace_.area->view();
   view.setScene(document_.scene());
   workspace_.area->input().setDocument(&document_);
@@ -48,22 +51,26 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
   connectView();
   connectPanels();
   connectProgress();
+  connectResults();
+  comparison_ = std::make_unique<ComparisonSession>(document_, relighting_, readings_, workspace_);
+  pictures_ = std::make_unique<PictureExport>(document_, workspace_, *comparison_);
+  connect(pictures_.get(), &PictureExport::failed, this, [this](const QString& message) {
+    showError(workspace_.area->window(), tr("The picture was not written"), message);
+  });
   placeLuminaires();
-  const auto& cameras = document_.scene()->cameras;
-  if (!cameras.empty()) {
-    showCamera(toQt(cameras.front().name));
-  } else if (document_.scene()->mesh->triangleCount() > 0) {
-    view.setViewCamera(ViewCamera::from(io::startingPlace(*document_.scene()->mesh).camera));
-  }
+  showFirstCamera();
   workspace_.area->setNotice(tr("Computing the first light\u2026"));
 }
 
 ProjectSession::~ProjectSession() {
+  pictures_.reset();
+  comparison_.reset();
   workspace_.area->input().setDocument(nullptr);
   workspace_.lights->setDocument(nullptr);
   workspace_.luminaire->setDocument(nullptr);
   workspace_.layouts->setDocument(nullptr);
   workspace_.view->setDocument(nullptr);
+  workspace_.results->setReadings(nullptr);
   workspace_.status->endProgress();
   workspace_.area->setNotice({});
   workspace_.area->view().setSelection({});
@@ -118,7 +125,29 @@ void ProjectSession::connectProgress() {
   connect(workspace_.status, &StatusLine::cancelRequested, &worker, &RelightWorker::cancelBake);
 }
 
+void ProjectSession::connectResults() {
+  connect(&readings_, &LiveReadings::changed, this,
+          [this] { workspace_.results->setReadings(readings_.readings()); });
+  connect(&readings_, &LiveReadings::failed, workspace_.log, &LogPanel::addWarning);
+  connect(workspace_.results, &ResultsPanel::layoutChosen, &document_, &Document::setLayout);
+  connect(workspace_.results, &ResultsPanel::exportRequested, this, &ProjectSession::exportResults);
+}
+
+void ProjectSession::exportResults() {
+  exportReadings(
+      workspace_.area->window(), document_, readings_.readings(), background_,
+      [this](const QString& path) { workspace_.log->addLine(tr("Wrote %1").arg(path)); });
+}
+
 void ProjectSession::onFrame() {
+  if (document_.luminaires().empty() && workspace_.area->view().frame() == nullptr) {
+    // A building in the dark cannot be worked in: it stays as it came until it has luminaires.
+    const bool nothing = document_.scene()->mesh->triangleCount() == 0;
+    workspace_.area->setNotice(
+        nothing ? tr("Drop the model of a building here, or import one: File \u25b8 Import a model")
+                : QString());
+    return;
+  }
   workspace_.area->view().setFrame(relighting_.frame());
   if (!document_.previewing()) {
     workspace_.view->suggestRange(color::roundRange(percentileLux(*relighting_.frame())));
@@ -128,6 +157,16 @@ void ProjectSession::onFrame() {
 void ProjectSession::placeLuminaires() {
   workspace_.area->view().setLuminaires(
       std::make_shared<const EmitterSet>(document_.luminaires(), document_.scene()->mesh->origin));
+}
+
+void ProjectSession::showFirstCamera() {
+  const auto& cameras = document_.scene()->cameras;
+  const auto& mesh = *document_.scene()->mesh;
+  if (!cameras.empty()) {
+    showCamera(toQt(cameras.front().name));
+  } else if (mesh.triangleCount() > 0) {
+    workspace_.area->view().setViewCamera(ViewCamera::from(io::startingPlace(mesh).camera));
+  }
 }
 
 void ProjectSession::showCamera(const QString& name) {

@@ -2,11 +2,17 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/jobs/background.h"
+#include "ui/jobs/live_readings.h"
 #include "ui/jobs/relighting.h"
+#include "ui/main_window/comparison_session.h"
+#include "ui/main_window/picture_export.h"
 #include "ui/main_window/view_area.h"
 #include "ui/main_window/workspace.h"
 
 #include <QObject>
+
+#include <memory>
 
 namespace soffit::ui {
 
@@ -21,12 +27,20 @@ class ProjectSession : public QObject {
 
   [[nodiscard]] Document& document() { return document_; }
   [[nodiscard]] Relighting& relighting() { return relighting_; }
+  [[nodiscard]] LiveReadings& readings() { return readings_; }
+  [[nodiscard]] ComparisonSession& comparison() { return *comparison_; }
+  [[nodiscard]] PictureExport& pictures() { return *pictures_; }
   void showCamera(const QString& name);
+  /// The project's first camera, or somewhere in the building.
+  void showFirstCamera();
+  /// Asks for a file and writes the readings to it.
+  void exportResults();
 
  private:
   void connectView();
   void connectPanels();
   void connectProgress();
+  void connectResults();
   void onFrame();
   void placeLuminaires();
   void saveCamera();
@@ -35,6 +49,10 @@ class ProjectSession : public QObject {
   Document document_;
   Workspace& workspace_;
   Relighting relighting_;
+  LiveReadings readings_;
+  Background background_;
+  std::unique_ptr<ComparisonSession> comparison_;
+  std::unique_ptr<PictureExport> pictures_;
 };
 
 }  // namespace soffit::ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ui/main_window/view_area.h"
 
+#include "core/render/difference_picture.h"
+
 #include <QResizeEvent>
 
 #include <algorithm>
@@ -11,6 +13,7 @@ ViewArea::ViewArea(QWidget* parent)
     : QWidget(parent),
       view_(new SceneView(this)),
       input_(new ViewInput(*view_, this)),
+      comparison_(new ComparisonView(*view_, *this)),
       legend_(new Legend(this)),
       notice_(new QLabel(this)) {
   legend_->hide();
@@ -20,12 +23,29 @@ ViewArea::ViewArea(QWidget* parent)
       "color: #eef0f4; background: rgba(20, 22, 26, 190); border-radius: 6px; padding: 8px 14px;"));
   notice_->hide();
   setMinimumSize(320, 240);
+  connect(comparison_, &ComparisonView::layoutChanged, this, &ViewArea::layOut);
 }
 
 Result<void> ViewArea::setLook(const Look& look) {
-  legend_->setRange(look.range);
-  legend_->setVisible(look.false_color);
-  return view_->setLook(look);
+  const auto set = view_->setLook(look);
+  showLegend();
+  return set;
+}
+
+void ViewArea::setDifferenceScale(double range) {
+  difference_ = range;
+  showLegend();
+}
+
+void ViewArea::showLegend() {
+  if (difference_ > 0.0) {
+    legend_->setScale(
+        [](float place) { return render::differenceColor(2.0F * place - 1.0F); },
+        [range = difference_](int most) { return render::differenceTicks(range, most); });
+  } else {
+    legend_->setRange(view_->look().range);
+  }
+  legend_->setVisible(difference_ > 0.0 || view_->look().false_color);
 }
 
 void ViewArea::setNotice(const QString& text) {
@@ -36,7 +56,12 @@ void ViewArea::setNotice(const QString& text) {
 }
 
 void ViewArea::resizeEvent(QResizeEvent*) {
-  view_->setGeometry(rect());
+  layOut();
+}
+
+void ViewArea::layOut() {
+  view_->setGeometry(comparison_->layOut(rect()));
+  legend_->raise();
   const int tall = std::min(legend_->sizeHint().height(), height() - 32);
   legend_->setGeometry(width() - legend_->sizeHint().width() - 16, 16, legend_->sizeHint().width(),
                        tall);

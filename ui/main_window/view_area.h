@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ui/main_window/comparison_view.h"
 #include "ui/viewport/scene_view.h"
 #include "ui/viewport/view_input.h"
 #include "ui/widgets/legend.h"
@@ -20,6 +21,9 @@ class ViewArea : public QWidget {
 
   [[nodiscard]] SceneView& view() { return *view_; }
   [[nodiscard]] ViewInput& input() { return *input_; }
+  [[nodiscard]] ComparisonView& comparison() { return *comparison_; }
+  /// The scale of differences from -range to +range lux in place of the look's; 0: the look's.
+  void setDifferenceScale(double range);
   /// Errors: SceneView::setLook()'s.
   Result<void> setLook(const Look& look);
   /// Empty: none.
@@ -29,9 +33,14 @@ class ViewArea : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void layOut();
+  void showLegend();
+
   SceneView* view_;
   ViewInput* input_;
+  ComparisonView* comparison_;
   Legend* legend_;
+  double difference_ = 0.0;
   QLabel* notice_;
 };
 

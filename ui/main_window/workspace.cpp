@@ -43,6 +43,7 @@ Workspace makeWorkspace(QMainWindow& window) {
   w.luminaire = new LuminairePanel;
   w.layouts = new LayoutsPanel;
   w.view = new ViewPanel;
+  w.results = new ResultsPanel;
   w.log = new LogPanel;
   w.status = new StatusLine(window.statusBar());
   window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
@@ -56,15 +57,18 @@ Workspace makeWorkspace(QMainWindow& window) {
       dock(window, w, Qt::BottomDockWidgetArea, tr("Layouts"), "layouts", w.layouts);
   QDockWidget* lights =
       dock(window, w, Qt::BottomDockWidgetArea, tr("Light list"), "light_list", w.lights);
+  QDockWidget* results =
+      dock(window, w, Qt::BottomDockWidgetArea, tr("Results"), "results", w.results);
   QDockWidget* log = dock(window, w, Qt::BottomDockWidgetArea, tr("Log"), "log", w.log);
   window.splitDockWidget(layouts, lights, Qt::Horizontal);
-  window.tabifyDockWidget(lights, log);
+  window.tabifyDockWidget(lights, results);
+  window.tabifyDockWidget(results, log);
   lights->raise();
   window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   window.resizeDocks({view}, {290}, Qt::Horizontal);
   window.resizeDocks({properties, view}, {430, 300}, Qt::Vertical);
   window.resizeDocks({layouts, lights}, {210, 760}, Qt::Horizontal);
-  window.resizeDocks({layouts}, {190}, Qt::Vertical);
+  window.resizeDocks({layouts}, {215}, Qt::Vertical);
   return w;
 }
 

@@ -6,6 +6,7 @@
 #include "ui/panels/lights_panel.h"
 #include "ui/panels/log_panel.h"
 #include "ui/panels/luminaire_panel.h"
+#include "ui/panels/results_panel.h"
 #include "ui/panels/status_line.h"
 #include "ui/panels/view_panel.h"
 
@@ -21,6 +22,7 @@ struct Workspace {
   LuminairePanel* luminaire = nullptr;
   LayoutsPanel* layouts = nullptr;
   ViewPanel* view = nullptr;
+  ResultsPanel* results = nullptr;
   LogPanel* log = nullptr;
   StatusLine* status = nullptr;
   std::vector<QDockWidget*> docks;

@@ -118,8 +118,19 @@ void StartPage::refresh() {
   right->addWidget(makeRecent(), 1);
   auto* open = new QPushButton(tr("Open a project\u2026"));
   connect(open, &QPushButton::clicked, this, &StartPage::openRequested);
+  auto* import = new QPushButton(tr("Import a building\u2026"));
+  import->setToolTip(
+      tr("A model as glTF, OBJ, IFC, FBX, Collada, 3DS, PLY or STL; it can also be "
+         "dropped on this window"));
+  connect(import, &QPushButton::clicked, this, &StartPage::importRequested);
+  auto* fresh = new QPushButton(tr("New project"));
+  connect(fresh, &QPushButton::clicked, this, &StartPage::newRequested);
   right->addSpacing(6);
   right->addWidget(open);
+  auto* others = new QHBoxLayout;
+  others->addWidget(import, 1);
+  others->addWidget(fresh, 1);
+  right->addLayout(others);
   columns->addLayout(left);
   columns->addLayout(right);
   columns->addStretch(1);

@@ -19,6 +19,8 @@ class StartPage : public QWidget {
  Q_SIGNALS:
   void chosen(const QString& path);
   void openRequested();
+  void newRequested();
+  void importRequested();
 
  private:
   QWidget* makeSamples();

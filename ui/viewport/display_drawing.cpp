@@ -4,6 +4,7 @@
 #include "ui/viewport/display_drawing.h"
 
 #include "core/color/exposure.h"
+#include "core/render/difference_picture.h"
 
 #include <cmath>
 
@@ -30,6 +31,8 @@ uniform float scale;
 uniform int false_color;
 uniform vec2 range;
 uniform int logarithmic;
+uniform int difference;
+uniform vec3 scale_colors[9];
 vec3 cleaned(vec3 c) { return vec3(c.r > 0.0 ? min(c.r, 1.0e6) : 0.0, c.g > 0.0 ? min(c.g, 1.0e6) : 0.0,
                                    c.b > 0.0 ? min(c.b, 1.0e6) : 0.0); }
 float place(float lux) {
@@ -42,7 +45,13 @@ constexpr const char* kTail = R"(
 void main() {
   vec4 pixel = texture(source, at);
   vec3 shown;
-  if (false_color == 1) {
+  if (difference == 1) {
+    float at = place(pixel.a) * 8.0;
+    int below = int(min(at, 7.0));
+    shown = mix(scale_colors[below], scale_colors[below + 1], at - float(below));
+    if (pixel.a < -1.5) shown = vec3(0.13);
+    else if (pixel.a < -0.5) shown = vec3(0.55);
+  } else if (false_color == 1) {
     shown = soffitView(vec4(vec3(place(pixel.a)), 1.0)).rgb;
     if (pixel.a < -1.5) shown = vec3(0.13);
     else if (pixel.a < -0.5) shown = vec3(0.97);
@@ -125,6 +134,12 @@ void DisplayDrawing::draw(const GlTarget& scene_linear) {
   program_.set("false_color", look_.false_color ? 1 : 0);
   program_.set("range", vec2(dvec2(look_.range.min, look_.range.max)));
   program_.set("logarithmic", look_.range.logarithmic ? 1 : 0);
+  program_.set("difference", look_.difference ? 1 : 0);
+  // The map is linear between nine colors, evenly spaced from -1 to 1.
+  for (int i = 0; look_.difference && i < 9; ++i) {
+    const std::string name = "scale_colors[" + std::to_string(i) + "]";
+    program_.set(name.c_str(), render::differenceColor(0.25F * static_cast<float>(i) - 1.0F));
+  }
   drawTriangle();
 }
 

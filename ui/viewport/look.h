@@ -12,6 +12,9 @@ struct Look {
   double exposure_ev = 0.0;      ///< ignored by false colour
   bool false_color = false;      ///< illuminance by colour, in the range
   color::FalseColorRange range;
+  /// Takes the false colours of a difference (render::differenceColor) with grey luminaires, over
+  /// `range`; light that is a difference is made by differenceLight().
+  bool difference = false;
 };
 
 }  // namespace soffit::ui

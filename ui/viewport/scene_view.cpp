@@ -89,12 +89,17 @@ void SceneView::onMeshFinished() {
   mesh_solver_ = mesh_job_.solver();
   pass().building.setMesh(mesh_);
   if (frame_ != nullptr && frame_->solver == mesh_solver_) showLight();
+  Q_EMIT meshChanged();
+}
+
+void SceneView::lightBuilding(const LightFrame& frame) {
+  std::vector<vec3> lux(mesh_->vertexCount());
+  lightVertices(*mesh_, frame.lux, lux);
+  pass().building.setLight(std::move(lux));
 }
 
 void SceneView::showLight() {
-  std::vector<vec3> lux(mesh_->vertexCount());
-  lightVertices(*mesh_, frame_->lux, lux);
-  pass().building.setLight(std::move(lux));
+  lightBuilding(*frame_);
   light_pending_ = true;
   restart();
 }
@@ -135,11 +140,13 @@ Result<void> SceneView::setLook(const Look& look) {
 void SceneView::setViewCamera(const ViewCamera& camera) {
   view_ = camera;
   restart();
+  Q_EMIT cameraMoved();
 }
 
 void SceneView::frameAll() {
   view_.frame(bounds(), origin(), viewSize().x / std::max(viewSize().y, 1.0));
   restart();
+  Q_EMIT cameraMoved();
 }
 
 void SceneView::frameSelection() {
@@ -157,9 +164,11 @@ void SceneView::frameSelection() {
   box.hi += margin;
   view_.frame(box, origin(), viewSize().x / std::max(viewSize().y, 1.0));
   restart();
+  Q_EMIT cameraMoved();
 }
 
 void SceneView::setMoving(bool moving) {
+  if (moving != moving_) Q_EMIT movingChanged(moving);
   moving_ = moving;
   if (!moving && drew_scaled_) rest_.start();
 }

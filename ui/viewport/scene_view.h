@@ -6,6 +6,7 @@
 #include "ui/viewport/emitter_set.h"
 #include "ui/viewport/gizmo_actor.h"
 #include "ui/viewport/look.h"
+#include "ui/viewport/shot.h"
 #include "ui/viewport/view_camera.h"
 #include "ui/viewport/vtk_view.h"
 
@@ -65,6 +66,16 @@ class SceneView : public VtkView {
   void setGizmoHighlight(GizmoPart part);
   /// The last picture without view transform, cd/m^2; empty before there is light.
   [[nodiscard]] std::vector<vec3> readLinear();
+  /// Another picture of the building than the one on the screen; that stays as it is. Without an
+  /// image before there is light, and for light of another solver.
+  Picture take(const Shot& shot);
+  /// Shows the building with the mesh that another view of it has cut already.
+  void shareMesh(const SceneView& other);
+  /// The solver whose mesh is shown; null before there is one.
+  [[nodiscard]] const std::shared_ptr<const relight::Solver>& meshSolver() const {
+    return mesh_solver_;
+  }
+  [[nodiscard]] bool isMoving() const { return moving_; }
   [[nodiscard]] dvec2 viewSize() const { return {width(), height()}; }
   [[nodiscard]] dvec3 origin() const;
   /// Bounds of building and luminaires, scene-local.
@@ -73,6 +84,10 @@ class SceneView : public VtkView {
  Q_SIGNALS:
   /// Once the light of a frame with this revision is on the screen.
   void lightShown(quint64 revision, double frame_ms);
+  void cameraMoved();
+  /// The mesh of a new solver is there.
+  void meshChanged();
+  void movingChanged(bool moving);
 
  protected:
   void paintGL() override;
@@ -81,6 +96,7 @@ class SceneView : public VtkView {
  private:
   void onMeshFinished();
   void showLight();
+  void lightBuilding(const LightFrame& frame);
   void placeCamera();
   void updateOverlay();
   void restart();

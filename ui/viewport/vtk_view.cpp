@@ -143,7 +143,8 @@ void VtkView::paintGL() {
   Q_EMIT painted();
 }
 
-QImage VtkView::picture(const QSize& pixels, bool with_overlay, int samples) {
+QImage VtkView::picture(const QSize& pixels, bool with_overlay, int samples,
+                        const std::function<void()>& after_sample) {
   if (!isValid()) return {};
   makeCurrent();
   vtkOpenGLState* state = window_->GetState();
@@ -156,6 +157,7 @@ QImage VtkView::picture(const QSize& pixels, bool with_overlay, int samples) {
   for (int sample = 0; sample < samples; ++sample) {
     pass_->setSample(sample, 1.0);
     window_->Render();
+    if (after_sample) after_sample();
   }
   QOpenGLFramebufferObject target(pixels, QOpenGLFramebufferObject::NoAttachment);
   target.bind();

@@ -6,6 +6,8 @@
 
 #include <vtkSmartPointer.h>
 
+#include <functional>
+
 class vtkCamera;
 class vtkRenderer;
 
@@ -35,7 +37,9 @@ class VtkView : public QOpenGLWidget {
   [[nodiscard]] int frameCount() const { return frame_count_; }
 
   /// The picture as it is, drawn anew at a size, with or without the overlay; samples 0: all.
-  QImage picture(const QSize& pixels, bool with_overlay, int samples = 0);
+  /// after_sample: called while the context is current, once a sample is drawn.
+  QImage picture(const QSize& pixels, bool with_overlay, int samples = 0,
+                 const std::function<void()>& after_sample = {});
 
  Q_SIGNALS:
   void painted();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace soffit::ui {
 namespace {
@@ -21,10 +22,16 @@ QColor toQt(const vec3& c) {
 Legend::Legend(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setAccessibleName(tr("Scale of illuminance"));
+  setRange({});
 }
 
 void Legend::setRange(const color::FalseColorRange& range) {
-  range_ = range;
+  setScale(color::falseColorAt, [range](int most) { return color::legendTicks(range, most); });
+}
+
+void Legend::setScale(Colors colors, Ticks ticks) {
+  colors_ = std::move(colors);
+  ticks_ = std::move(ticks);
   update();
 }
 
@@ -40,13 +47,12 @@ void Legend::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing, false);
   for (int i = 0; i < rows; ++i) {
     const float place = 1.0F - (static_cast<float>(i) + 0.5F) / static_cast<float>(rows);
-    painter.fillRect(QRectF(bar.left(), bar.top() + i, bar.width(), 1.0),
-                     toQt(color::falseColorAt(place)));
+    painter.fillRect(QRectF(bar.left(), bar.top() + i, bar.width(), 1.0), toQt(colors_(place)));
   }
   painter.setPen(QColor(238, 240, 244));
   painter.drawText(QPointF(kMargin, kMargin + fontMetrics().ascent()), QStringLiteral("lx"));
   const int room = std::max(2, rows / (line + 10));
-  for (const color::LegendTick& tick : color::legendTicks(range_, room)) {
+  for (const color::LegendTick& tick : ticks_(room)) {
     const double y = bar.bottom() - static_cast<double>(tick.place) * bar.height();
     painter.drawLine(QPointF(bar.right() + 1, y), QPointF(bar.right() + 5, y));
     const double base = std::clamp(y + 0.5 * fontMetrics().ascent() - 1, bar.top() + 0.4 * line,

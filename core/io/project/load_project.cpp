@@ -125,9 +125,9 @@ Result<Project> assemble(Project project, const LoadOptions& options) {
 }  // namespace
 
 Result<Project> loadProject(const std::filesystem::path& path, const LoadOptions& options) {
-  const auto file = findProjectFile(path);
+  const auto file = options.text ? Result<std::filesystem::path>(path) : findProjectFile(path);
   if (!file) return file.error();
-  const auto text = readFile(*file);
+  const auto text = options.text ? Result<std::string>(*options.text) : readFile(*file);
   if (!text) return text.error();
   auto root = parseJson(*text, file->string());
   if (!root) return root.error();

@@ -55,6 +55,9 @@ struct LoadOptions {
   /// true or false, JSON, or else text.
   std::vector<std::string> sets;
   Job job;
+  /// The content to load in place of the file's, which need not exist: a version that was kept
+  /// elsewhere, of the project at that path.
+  std::optional<std::string> text;
 };
 
 /// Loads a project with everything it names. `path` may be a folder that holds one .soffit file.

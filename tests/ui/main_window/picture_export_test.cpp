@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "ui/main_window/picture_export.h"
+
+#include "core/color/display_transform.h"
+#include "core/io/image/read_image.h"
+#include "tests/ui/main_window/window_fixture.h"
+#include "ui/actions/picture_dialog.h"
+
+#include <QClipboard>
+#include <QColorSpace>
+#include <QDialogButtonBox>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSignalSpy>
+
+namespace soffit::ui {
+
+class PictureExportTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    fixture_ = std::make_unique<WindowFixture>();
+    QVERIFY(fixture_->open());
+  }
+  void cleanupTestCase() { fixture_.reset(); }
+
+  void thePictureOfTheViewIsTheView() {
+    SceneView& view = fixture_->view();
+    const QString path = fixture_->folder.filePath(QStringLiteral("view.png"));
+    const QImage shown = view.picture(view.pixelSize(), false);
+    write(path, view.pixelSize());
+    QImage read = QImage(path).convertToFormat(QImage::Format_RGB888);
+    read.setColorSpace({});  // the file says sRGB, a picture of the view says nothing
+    QCOMPARE(read, shown);
+    const auto facts = io::readMetadata(path.toStdString());
+    QVERIFY(facts.ok());
+    QVERIFY(std::ranges::find(*facts, std::pair(std::string("Layout"), std::string("Classic"))) !=
+            facts->end());
+  }
+
+  void anySizeShowsTheSameView() {
+    const QSize size = fixture_->view().pixelSize();
+    const QString small = fixture_->folder.filePath(QStringLiteral("small.png"));
+    const QString large = fixture_->folder.filePath(QStringLiteral("large.jpg"));
+    write(small, size / 4);
+    write(large, 2 * size);
+    const QString tiff = fixture_->folder.filePath(QStringLiteral("view.tif"));
+    write(tiff, {100, 60});
+    QCOMPARE(io::readImage(tiff.toStdString())->width, 100);
+    const QImage a(small);
+    const QImage b =
+        QImage(large).scaled(a.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    QCOMPARE(QImage(large).size(), 2 * size);
+    // Mean code values: edges and JPEG differ, the light does not.
+    QVERIFY(std::abs(meanOf(a) - meanOf(b)) < 1.0);
+  }
+
+  void anExrHoldsLuminance() {
+    const QSize size(240, 150);
+    const QString path = fixture_->folder.filePath(QStringLiteral("view.exr"));
+    write(path, size);
+    const auto read = io::readImage(path.toStdString());
+    QVERIFY(read.ok());
+    QCOMPARE(read->width, 240);
+    // Through the view transform it is the tone-mapped picture, away from edges, where code values
+    // are averaged instead of light.
+    const Look& look = fixture_->view().look();
+    const auto transform = color::DisplayTransform::create(look.display);
+    std::vector<vec3> linear;
+    for (std::size_t i = 0; i + 2 < read->pixels.size(); i += 3) {
+      linear.emplace_back(read->pixels[i], read->pixels[i + 1], read->pixels[i + 2]);
+    }
+    std::vector<vec3> expected(linear.size());
+    transform->apply(linear, look.exposure_ev, expected);
+    Shot shot;
+    shot.pixels = size;
+    const QImage seen = fixture_->view().take(shot).image;
+    int close = 0;
+    for (int y = 0; y < 150; ++y) {
+      for (int x = 0; x < 240; ++x) {
+        const vec3& e = expected[static_cast<std::size_t>(y) * 240 + static_cast<std::size_t>(x)];
+        const QColor s = seen.pixelColor(x, y);
+        close += std::abs(s.green() - qRound(255 * e.y)) <= 2 ? 1 : 0;
+      }
+    }
+    QVERIFY2(close > 0.93 * 240 * 150, qPrintable(QString::number(close)));
+    const auto facts = io::readMetadata(path.toStdString());
+    QVERIFY(std::ranges::find(*facts, std::pair(std::string("Unit"), std::string("cd/m2"))) !=
+            facts->end());
+  }
+
+  void legendAndTitleArePrinted() {
+    fixture_->window->workspace().view->setFalseColor(true);
+    const QString with = fixture_->folder.filePath(QStringLiteral("with.png"));
+    const QString without = fixture_->folder.filePath(QStringLiteral("without.png"));
+    write(with, {800, 500}, true, true);
+    write(without, {800, 500}, false, false);
+    fixture_->window->workspace().view->setFalseColor(false);
+    const QImage a(with);
+    const QImage b(without);
+    QVERIFY(differsIn(a, b, QRect(600, 0, 200, 500)));
+    QVERIFY(differsIn(a, b, QRect(0, 400, 300, 100)));
+    QVERIFY(!differsIn(a, b, QRect(300, 100, 200, 200)));
+  }
+
+  void theSetHasAPictureOfEachCameraAndLayout() {
+    PictureSet set;
+    set.cameras = {QStringLiteral("Classic"), QStringLiteral("Inside")};
+    set.layouts = {QStringLiteral("Classic"), QStringLiteral("Light moved"),
+                   QStringLiteral("Coloured")};
+    set.pixels = {160, 100};
+    set.folder = fixture_->folder.filePath(QStringLiteral("set"));
+    set.title = true;
+    QDir().mkpath(set.folder);
+    QSignalSpy finished(&pictures(), &PictureExport::setFinished);
+    pictures().exportSet(set);
+    QTRY_VERIFY_WITH_TIMEOUT(!finished.isEmpty() && !pictures().isBusy(), kPatienceMs);
+    QCOMPARE(finished.front().front().toInt(), 6);
+    QSet<QByteArray> different;
+    for (const QString& layout : set.layouts) {
+      for (const QString& camera : set.cameras) {
+        const QString path =
+            QDir(set.folder)
+                .filePath(layout + QStringLiteral(", ") + camera + QStringLiteral(".png"));
+        const QImage image(path);
+        QCOMPARE(image.size(), set.pixels);
+        different.insert(
+            QByteArray(reinterpret_cast<const char*>(image.constBits()), image.sizeInBytes()));
+      }
+    }
+    QCOMPARE(different.size(), 6);
+    // The view is as it was.
+    QCOMPARE(fixture_->document().layout(), QStringLiteral("Classic"));
+  }
+
+  void aSetCanBeGivenUp() {
+    PictureSet set;
+    set.cameras = {QStringLiteral("Classic"), QStringLiteral("Inside")};
+    set.layouts = {QStringLiteral("Classic")};
+    set.pixels = {160, 100};
+    set.folder = fixture_->folder.path();
+    QSignalSpy finished(&pictures(), &PictureExport::setFinished);
+    pictures().exportSet(set);
+    pictures().cancel();
+    QTRY_VERIFY(!finished.isEmpty());
+    QVERIFY(finished.front().front().toInt() < 2);
+  }
+
+  void thePictureGoesIntoTheClipboard() {
+    QVERIFY(fixture_->trigger(QStringLiteral("Cop&y the picture")));
+    const SceneView& view = fixture_->view();
+    QCOMPARE(QApplication::clipboard()->image().size(), view.pixelSize());
+  }
+
+  void aFolderThatIsNotThereIsTold() {
+    QSignalSpy failed(&pictures(), &PictureExport::failed);
+    WindowFixture::answer(QMessageBox::Ok);
+    pictures().exportView(fixture_->folder.filePath(QStringLiteral("no/where/a.png")), {64, 40},
+                          false, false);
+    QTRY_VERIFY(!failed.isEmpty());
+  }
+
+  void theDialogOffersSizesAndCounts() {
+    PictureDialog dialog({800, 500}, {QStringLiteral("A"), QStringLiteral("B")},
+                         {QString(), QStringLiteral("L")});
+    QCOMPARE(dialog.pixels(), QSize(800, 500));
+    // The base is left out where there are layouts.
+    QCOMPARE(dialog.layouts(), QStringList{QStringLiteral("L")});
+    QCOMPARE(dialog.cameras().size(), 2);
+    for (auto* list : dialog.findChildren<QListWidget*>()) {
+      for (int i = 0; i < list->count(); ++i) list->item(i)->setCheckState(Qt::Unchecked);
+    }
+    QVERIFY(!dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
+  }
+
+ private:
+  PictureExport& pictures() { return fixture_->window->session()->pictures(); }
+  void write(const QString& path, const QSize& size, bool legend = false, bool title = false) {
+    QSignalSpy written(&pictures(), &PictureExport::written);
+    pictures().exportView(path, size, legend, title);
+    QTRY_VERIFY(!written.isEmpty());
+    QCOMPARE(written.front().front().toString(), path);
+  }
+  static double meanOf(const QImage& image) {
+    double sum = 0.0;
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) sum += qGray(image.pixel(x, y));
+    }
+    return sum / (image.width() * image.height());
+  }
+  static bool differsIn(const QImage& a, const QImage& b, const QRect& rect) {
+    return a.copy(rect) != b.copy(rect);
+  }
+
+  std::unique_ptr<WindowFixture> fixture_;
+};
+
+}  // namespace soffit::ui
+
+int main(int argc, char** argv) {
+  soffit::ui::prepareProgram();
+  QApplication application(argc, argv);
+  soffit::ui::nameProgram(QStringLiteral("soffit-export-test"));
+  soffit::ui::PictureExportTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "picture_export_test.moc"

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "ui/jobs/live_readings.h"
+
+#include "ui/document/text.h"
+
+#include <algorithm>
+
+namespace soffit::ui {
+
+LiveReadings::LiveReadings(Document& document, Relighting& relighting, QObject* parent)
+    : QObject(parent), document_(document), relighting_(relighting) {
+  connect(&relighting_, &Relighting::frameChanged, this, &LiveReadings::request);
+  connect(&worker_, &ReadingsWorker::failed, this, &LiveReadings::failed);
+  connect(&worker_, &ReadingsWorker::ready, this, [this] {
+    ReadingsPtr readings = worker_.take();
+    if (readings == nullptr) return;
+    readings_ = std::move(readings);
+    Q_EMIT changed();
+  });
+}
+
+void LiveReadings::setBaseWanted(bool wanted) {
+  if (wanted == base_wanted_) return;
+  base_wanted_ = wanted;
+  request();
+}
+
+bool LiveReadings::isCurrent() const {
+  if (readings_ == nullptr || readings_->revision != relighting_.revision()) return false;
+  const std::size_t layouts = document_.scene()->layouts.size();
+  const bool with_base = base_wanted_ || document_.layout().isEmpty() || layouts == 0;
+  return readings_->layouts.size() == layouts + (with_base ? 1U : 0U) &&
+         std::ranges::all_of(readings_->layouts, &LayoutReading::current);
+}
+
+void LiveReadings::request() {
+  const LightFramePtr& frame = relighting_.frame();
+  if (frame == nullptr) return;
+  ReadingsRequest request;
+  request.solver = frame->solver;
+  request.scene = document_.scene();
+  request.shown = toStd(document_.layout());
+  request.luminaires = document_.luminaires();
+  request.folder = document_.project().path.parent_path();
+  request.with_base = base_wanted_;
+  request.dragging = document_.previewing();
+  request.revision = relighting_.revision();
+  worker_.request(std::move(request));
+}
+
+}  // namespace soffit::ui

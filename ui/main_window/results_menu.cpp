@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The menu Results.
+#include "ui/actions/actions.h"
+#include "ui/main_window/main_window.h"
+
+#include <QDockWidget>
+#include <QMenuBar>
+
+namespace soffit::ui {
+
+void MainWindow::makeResultsMenu() {
+  QMenu& menu = *menuBar()->addMenu(tr("&Results"));
+  forProject(addEntry(menu, {tr("Show the &table"), QKeySequence(tr("Ctrl+R")), {}}, this, [this] {
+    auto* dock = findChild<QDockWidget*>(QStringLiteral("results"));
+    dock->show();
+    dock->raise();
+  }));
+  forProject(addEntry(menu, {tr("&Copy the table"), {}, tr("As text for a spreadsheet")}, this,
+                      [this] { workspace_.results->copy(); }));
+  forProject(addEntry(menu,
+                      {tr("&Export the table\u2026"),
+                       {},
+                       tr("The figures of all layouts as comma-separated values")},
+                      this, [this] { session_->exportResults(); }));
+}
+
+}  // namespace soffit::ui

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// SceneView::take(): pictures other than the one on the screen.
+#include "ui/viewport/picture_pass.h"
+#include "ui/viewport/scene_view.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace soffit::ui {
+namespace {
+
+/// Adds what the pass computed last, turned so that the top row comes first.
+void addLinear(const std::vector<float>& pixels, int width, int height, float share,
+               std::vector<vec3>& sum) {
+  sum.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), vec3(0.0F));
+  for (int y = 0; y < height; ++y) {
+    const std::size_t from = static_cast<std::size_t>(height - 1 - y);
+    for (int x = 0; x < width; ++x) {
+      const auto w = static_cast<std::size_t>(width);
+      const std::size_t p = 4 * (from * w + static_cast<std::size_t>(x));
+      sum[static_cast<std::size_t>(y) * w + static_cast<std::size_t>(x)] +=
+          share * vec3(pixels[p], pixels[p + 1], pixels[p + 2]);
+    }
+  }
+}
+
+}  // namespace
+
+Picture SceneView::take(const Shot& shot) {
+  const bool own_light = shot.frame == nullptr;
+  if (!isValid() || mesh_ == nullptr || (!own_light && shot.frame->solver != mesh_solver_)) {
+    return {};
+  }
+  const ViewCamera camera = view_;
+  const Look look = look_;
+  const auto luminaires = luminaires_;
+  if (shot.camera) view_ = *shot.camera;
+  if (shot.luminaires != nullptr) luminaires_ = shot.luminaires;
+  if (shot.look) (void)pass().display.setLook(*shot.look);
+  if (!own_light) lightBuilding(*shot.frame);
+  placeCamera();
+  if (luminaires_ != nullptr) {
+    pass().building.setLuminaires(makeLuminaireMesh(*luminaires_, vec3(view_.position - origin())));
+  }
+  Picture taken;
+  const int samples = shot.samples > 0 ? std::min(shot.samples, PicturePass::kMostSamples)
+                                       : PicturePass::kMostSamples;
+  const auto collect = [&] {
+    if (!shot.linear) return;
+    int width = 0;
+    int height = 0;
+    const auto pixels = pass().readLinear(width, height);
+    addLinear(pixels, width, height, 1.0F / static_cast<float>(samples), taken.linear);
+  };
+  taken.image = picture(shot.pixels, false, samples, collect);
+  view_ = camera;
+  luminaires_ = luminaires;
+  if (shot.look) (void)pass().display.setLook(look);
+  if (!own_light && frame_ != nullptr && frame_->solver == mesh_solver_) lightBuilding(*frame_);
+  restart();
+  return taken;
+}
+
+void SceneView::shareMesh(const SceneView& other) {
+  if (other.mesh_ == nullptr || other.mesh_ == mesh_) return;
+  mesh_ = other.mesh_;
+  mesh_solver_ = other.mesh_solver_;
+  pass().building.setMesh(mesh_);
+  if (frame_ != nullptr && frame_->solver == mesh_solver_) showLight();
+}
+
+}  // namespace soffit::ui
