@@ -133,7 +133,7 @@ void RelightWorker::ensureBake(const LightRequest& request) {
 void RelightWorker::ensureMaterials(const LightRequest& request) {
   if (sameReflectances(materials_, request.scene->materials)) return;
   materials_ = request.scene->materials;
-  columns_.setSolver(columns_.solver()->repainted(materials_));
+  columns_.repaint(columns_.solver()->repainted(materials_));
 }
 
 void RelightWorker::serve(const LightRequest& request, const std::stop_token& stop) {
