@@ -47,8 +47,8 @@ RelightWorker::~RelightWorker() {
 void RelightWorker::request(LightRequest request) {
   {
     const std::scoped_lock lock(mutex_);
+    if (request.stops_older) current_.request_stop();
     newest_ = std::move(request);
-    current_.request_stop();
   }
   wake_.notify_all();
 }

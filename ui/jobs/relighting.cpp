@@ -29,6 +29,7 @@ void Relighting::request() {
   request.layout = toStd(document_.layout());
   request.luminaires = document_.litLuminaires();
   request.revision = ++revision_;
+  request.stops_older = !document_.previewing() || document_.selection().size() <= 1;
   if (document_.previewing() && document_.selection().size() == 1) {
     const auto found = std::ranges::find(request.luminaires, toStd(document_.selection().front()),
                                          &light::Luminaire::name);

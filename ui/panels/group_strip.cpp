@@ -5,6 +5,7 @@
 
 #include <QHBoxLayout>
 #include <QPainter>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
@@ -41,17 +42,17 @@ QIcon swatch(const std::optional<light::Colour>& colour, const QPalette& palette
 
 GroupStrip::GroupStrip(QWidget* parent)
     : QWidget(parent),
-      name_(new QToolButton),
+      name_(new QPushButton),
       on_(toggle(tr("On"), tr("Switch the group"))),
       solo_(toggle(tr("Solo"), tr("Only this group, to look at it; others go dark until then"))),
       fader_(new QSlider(Qt::Horizontal)),
       level_(new QuantityBox(Dimension::share)),
       cct_(new QuantityBox(Dimension::temperature)),
       colour_(new QToolButton) {
-  name_->setAutoRaise(true);
+  name_->setFlat(true);
   name_->setToolTip(tr("Select its luminaires"));
   name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  name_->setStyleSheet(QStringLiteral("text-align: left;"));
+  name_->setStyleSheet(QStringLiteral("text-align: left; padding: 2px 0;"));
   QFont bold = name_->font();
   bold.setBold(true);
   name_->setFont(bold);
@@ -62,6 +63,9 @@ GroupStrip::GroupStrip(QWidget* parent)
   level_->setRange(0.0, 10.0);
   level_->setSteps(0.05, 1);
   level_->setToolTip(tr("Dimming of the group; where its luminaires differ, of the brightest"));
+  // Narrow, for the fader's sake.
+  level_->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("100 %")) + 30);
+  cct_->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("mixed 0")) + 34);
   cct_->setRange(1000.0, 20000.0);
   cct_->setSteps(100.0, 0);
   cct_->setToolTip(tr("Correlated colour temperature"));

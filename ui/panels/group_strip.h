@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-class QLabel;
+class QPushButton;
 class QSlider;
 class QToolButton;
 
@@ -32,7 +32,7 @@ class GroupStrip : public QWidget {
 
  private:
   QString group_;
-  QToolButton* name_;
+  QPushButton* name_;
   QToolButton* on_;
   QToolButton* solo_;
   QSlider* fader_;

@@ -59,6 +59,7 @@ class MainWindowTest : public QObject {
     window_ = std::make_unique<MainWindow>();
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    QApplication::setActiveWindow(window_.get());  // no window manager does; shortcuts want it
     window_->open(project_);
     QTRY_VERIFY_WITH_TIMEOUT(window_->session() != nullptr, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(lit(), kPatienceMs);
