@@ -4,6 +4,7 @@
 #include "ui/document/text.h"
 #include "ui/viewport/gizmo_scaling.h"
 #include "ui/viewport/gizmo_turning.h"
+#include "ui/viewport/luminaire_mesh.h"
 #include "ui/viewport/picture_pass.h"
 #include "ui/viewport/plain_preview.h"
 
@@ -16,6 +17,9 @@ namespace soffit::ui {
 namespace {
 
 constexpr vec3 kSelectedColor{1.0F, 0.72F, 0.16F};
+constexpr vec3 kPlanColor{0.95F, 0.86F, 0.62F};
+/// Steeper than 45 degrees down is a plan.
+constexpr double kPlanSteepness = -0.7;
 constexpr vec3 kHoveredColor{0.98F, 0.98F, 0.98F};
 /// Frames slower than this are drawn with fewer pixels while things move.
 constexpr double kFluentMs = 30.0;
@@ -31,6 +35,7 @@ SceneView::SceneView(QWidget* parent) : VtkView(parent) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   gizmo_ = std::make_unique<GizmoActor>(overlay());
+  plan_outline_ = std::make_unique<OutlineActor>(overlay(), kPlanColor, 1.2F);
   hovered_outline_ = std::make_unique<OutlineActor>(overlay(), kHoveredColor, 1.5F);
   selected_outline_ = std::make_unique<OutlineActor>(overlay(), kSelectedColor, 2.5F);
   rest_.setSingleShot(true);
@@ -219,6 +224,20 @@ std::vector<vec3> SceneView::outlines(const QStringList& names) const {
   return lines;
 }
 
+std::vector<vec3> SceneView::planOutlines() const {
+  std::vector<vec3> lines;
+  if (luminaires_ == nullptr || view_.forward.z > kPlanSteepness) return lines;
+  const dvec3 eye = view_.position - origin();
+  for (const light::Emitter& e : luminaires_->emitters()) {
+    const bool dark = e.kind == light::EmitterKind::planar && !e.twoSided() && !e.casts_shadow &&
+                      glm::dot(e.normal, eye - e.position) < 0.0;
+    if (!dark) continue;
+    const auto own = outlineOf(e);
+    lines.insert(lines.end(), own.begin(), own.end());
+  }
+  return lines;
+}
+
 std::vector<const light::Emitter*> SceneView::selectedEmitters() const {
   std::vector<const light::Emitter*> found;
   if (luminaires_ == nullptr) return found;
@@ -283,6 +302,7 @@ GizmoPart SceneView::gizmoPartAt(const QPointF& mouse) const {
 void SceneView::updateOverlay() {
   selected_outline_->setLines(outlines(selection_));
   const QString hovered = toQt(hovered_);
+  plan_outline_->setLines(planOutlines());
   hovered_outline_->setLines(selection_.contains(hovered) ? std::vector<vec3>{}
                                                           : outlines({hovered}));
   const auto at = gizmoPlace();

@@ -91,6 +91,7 @@ class SceneView : public VtkView {
   [[nodiscard]] double movingScale() const;
   [[nodiscard]] Pointable pointable() const;
   [[nodiscard]] std::vector<const light::Emitter*> selectedEmitters() const;
+  [[nodiscard]] std::vector<vec3> planOutlines() const;
   [[nodiscard]] std::vector<vec3> outlines(const QStringList& names) const;
 
   std::shared_ptr<const scene::Scene> scene_;
@@ -106,6 +107,7 @@ class SceneView : public VtkView {
   std::unique_ptr<GizmoActor> gizmo_;
   std::unique_ptr<OutlineActor> selected_outline_;
   std::unique_ptr<OutlineActor> hovered_outline_;
+  std::unique_ptr<OutlineActor> plan_outline_;  ///< luminaires seen on their dark side from above
   GizmoTool tool_ = GizmoTool::move;
   bool gizmo_shown_ = true;
   GizmoPart highlight_ = GizmoPart::none;

@@ -148,6 +148,14 @@ class LuminaireEditingTest : public QObject {
     QCOMPARE(v_->document->undoStack()->count(), 1);
   }
 
+  void aPanelIsFoundFromAbove() {
+    const dvec3 place = v_->first().position;
+    v_->view->setViewCamera(
+        ViewCamera::from({"", place + dvec3(0, 0, 4), place, 40.0}));
+    QTest::mouseClick(v_->view.get(), Qt::LeftButton, {}, v_->pixelOf(place));
+    QCOMPARE(v_->document->selection(), QStringList{v_->firstName()});
+  }
+
   void copyPasteAndCut() {
     const std::size_t before = count();
     v_->document->setSelection({v_->firstName()});
