@@ -10,6 +10,20 @@
 namespace soffit::relight {
 namespace {
 
+/// Whether the luminaires whose bodies block light are the same.
+bool sameBodies(const std::vector<light::Emitter>& a, const std::vector<light::Emitter>& b) {
+  const auto bodies = [](const std::vector<light::Emitter>& list) {
+    std::vector<const light::Emitter*> found;
+    for (const light::Emitter& e : list) {
+      if (e.casts_shadow) found.push_back(&e);
+    }
+    return found;
+  };
+  return std::ranges::equal(bodies(a), bodies(b), [](const light::Emitter* x, const light::Emitter* y) {
+    return sameLight(*x, *y);
+  });
+}
+
 Planes zeros(std::size_t n) {
   Planes p;
   for (auto& plane : p) plane.assign(n, 0.0F);
@@ -47,6 +61,15 @@ void Lighting::compute(std::size_t i) {
   entry.ready = true;
 }
 
+std::size_t Lighting::columnFor(const light::Emitter& emitter, std::size_t at) const {
+  const auto fits = [&](std::size_t i) { return entries_[i].ready && sameLight(emitter, emitters_[i]); };
+  if (at < entries_.size() && fits(at)) return at;
+  // It changed its number: others were added or removed before it.
+  std::size_t i = 0;
+  while (i < entries_.size() && !fits(i)) ++i;
+  return i;
+}
+
 Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaires, const Job& job) {
   std::vector<light::Emitter> emitters;
   for (const light::Luminaire& l : luminaires) {
@@ -54,18 +77,16 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
     if (!emitter) return emitter.error();
     emitters.push_back(std::move(*emitter));
   }
-  // A body anywhere changes every column's shadows: then all are computed again.
-  const auto bodies = [](const std::vector<light::Emitter>& list) {
-    return std::any_of(list.begin(), list.end(), [](const light::Emitter& e) { return e.casts_shadow; });
-  };
-  const bool keep = !bodies(emitters) && !bodies(emitters_);
+  // A body that came, went or moved changes every column's shadows: then all are computed again.
+  const bool keep = sameBodies(emitters, emitters_);
   std::vector<Entry> entries(emitters.size());
   for (std::size_t i = 0; i < emitters.size(); ++i) {
     entries[i].body = bodyBlockers(emitters[i]);
-    if (keep && i < emitters_.size() && entries_[i].ready && sameLight(emitters[i], emitters_[i])) {
-      entries[i].column = std::move(entries_[i].column);
-      entries[i].ready = true;
-    }
+    const std::size_t from = keep ? columnFor(emitters[i], i) : entries_.size();
+    if (from == entries_.size()) continue;
+    entries[i].column = std::move(entries_[from].column);
+    entries[i].ready = true;
+    entries_[from].ready = false;  // taken
   }
   emitters_ = std::move(emitters);
   entries_ = std::move(entries);
@@ -74,6 +95,23 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
     if (job.cancelled()) return Error{"light", "cancelled", ""};
     job.report("computing luminaires", static_cast<double>(i) / static_cast<double>(emitters_.size()));
     if (!entries_[i].ready && emitters_[i].gain > 0.0) compute(i);
+  }
+  return {};
+}
+
+Result<void> Lighting::repaint(std::shared_ptr<const Solver> solver, const Job& job) {
+  solver_ = std::move(solver);
+  grabbed_ = static_cast<std::size_t>(-1);
+  const std::vector<float> open = openShare();
+  std::vector<std::size_t> waiting;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    if (entries_[i].ready) waiting.push_back(i);
+    entries_[i].ready = false;
+  }
+  for (const std::size_t i : waiting) {
+    if (job.cancelled()) return Error{"light", "cancelled", ""};
+    solver_->indirect(entries_[i].column, open);
+    entries_[i].ready = true;
   }
   return {};
 }

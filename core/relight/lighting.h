@@ -30,6 +30,16 @@ class Lighting {
   /// Errors: makeEmitter's, with the luminaire's name as the place.
   Result<void> setLuminaires(std::span<const light::Luminaire> luminaires, const Job& job = {});
 
+  /// The same luminaires under a solver of other reflectances (Solver::repainted()): direct light
+  /// stays, its reflections are computed anew. A luminaire in hand is let go.
+  /// Errors: cancelled; what was not reached is computed by the next setLuminaires().
+  Result<void> repaint(std::shared_ptr<const Solver> solver, const Job& job = {});
+
+  /// Adds weight * the light of luminaire i to a sum of planes; fill() of the solver is left out.
+  void addTo(std::size_t i, const dvec3& weight, Planes& sum) const {
+    solver_->add(entries_[i].column, weight, sum);
+  }
+
   /// New gain and colour of luminaire i: no light is computed.
   void setMix(std::size_t i, double gain, const dvec3& color);
 
@@ -58,6 +68,8 @@ class Lighting {
     bool ready = false;
   };
   void compute(std::size_t i);
+  /// The entry whose column is the light of this emitter, entries_.size() for none.
+  [[nodiscard]] std::size_t columnFor(const light::Emitter& emitter, std::size_t at) const;
   [[nodiscard]] std::vector<light::MaskBlocker> otherBodies(std::size_t i) const;
   [[nodiscard]] std::vector<float> openShare() const;
   [[nodiscard]] dvec3 weight(std::size_t i) const { return emitters_[i].gain * emitters_[i].color; }

@@ -2,6 +2,8 @@
 #include "ui/document/document.h"
 
 #include "core/scene/diff.h"
+#include "ui/document/luminaire_changes.h"
+#include "ui/document/step.h"
 #include "ui/document/text.h"
 
 #include <algorithm>
@@ -27,9 +29,8 @@ QString Document::name() const {
 }
 
 void Document::resolve() {
-  const scene::Layout* layout = scene::findLayout(*scene_, toStd(layout_));
-  if (layout == nullptr) layout_.clear();
-  luminaires_ = layout == nullptr ? scene_->luminaires : scene::resolveLayout(*scene_, *layout);
+  if (scene::findLayout(*scene_, toStd(layout_)) == nullptr) layout_.clear();
+  luminaires_ = luminairesOf(*scene_, toStd(layout_));
 }
 
 const light::Luminaire* Document::luminaire(const QString& name) const {
@@ -53,6 +54,49 @@ void Document::setSelection(const QStringList& names) {
   Q_EMIT selectionChanged();
 }
 
+void Document::setHidden(const QStringList& names) {
+  if (names == hidden_) return;
+  hidden_ = names;
+  QStringList seen;
+  for (const QString& name : selection_) {
+    if (!hidden_.contains(name)) seen.append(name);
+  }
+  setSelection(seen);
+  Q_EMIT hiddenChanged();
+}
+
+const std::vector<io::LightScene>& Document::lightScenes() const {
+  static const std::vector<io::LightScene> kNone;
+  const auto found = project_.light_scenes.find(toStd(layout_));
+  return found == project_.light_scenes.end() ? kNone : found->second;
+}
+
+void Document::takeLightScenes(const QString& layout, std::vector<io::LightScene> scenes) {
+  project_.light_scenes[toStd(layout)] = std::move(scenes);
+  Q_EMIT lightScenesChanged();
+}
+
+void Document::editLightScenes(const QString& text, std::vector<io::LightScene> scenes) {
+  undo_stack_.push(new Step(
+      text,
+      [this, layout = layout_, scenes = std::move(scenes)] { takeLightScenes(layout, scenes); },
+      [this, layout = layout_, before = lightScenes()] { takeLightScenes(layout, before); }));
+}
+
+void Document::setSoloGroups(const QStringList& groups) {
+  if (groups == solo_) return;
+  solo_ = groups;
+  Q_EMIT soloChanged();
+  Q_EMIT sceneChanged();
+}
+
+std::vector<light::Luminaire> Document::litLuminaires() const {
+  std::vector<light::Luminaire> lit = luminaires_;
+  if (solo_.isEmpty()) return lit;
+  for (light::Luminaire& l : lit) l.on = l.on && solo_.contains(toQt(l.group));
+  return lit;
+}
+
 void Document::dropMissingFromSelection() {
   setSelection(QStringList(selection_));
 }
@@ -73,7 +117,10 @@ void Document::edit(const QString& text, scene::Scene next, int merge_key) {
   if (!scene::diff(*scene_, *after).any()) return;
   undo_stack_.push(new SceneCommand(
       text, scene_, std::move(after), layout_, merge_key,
-      [this](const ScenePtr& scene, const QString& layout) { show(scene, layout); }));
+      [this](const ScenePtr& scene, const QString& layout) {
+        before_preview_ = nullptr;  // undone or redone beneath a preview: that is given up
+        show(scene, layout);
+      }));
 }
 
 void Document::editLayouts(const QString& text, scene::Scene next, const QString& layout_after) {
@@ -87,32 +134,24 @@ void Document::editLayouts(const QString& text, scene::Scene next, const QString
   undo_stack_.push(command);
 }
 
-scene::Scene Document::withChange(const scene::Scene& from, const QStringList& names,
-                                  const std::function<void(light::Luminaire&)>& change) const {
-  scene::Scene next = from;
-  const scene::Layout* layout = scene::findLayout(from, toStd(layout_));
-  const auto before = layout == nullptr ? from.luminaires : scene::resolveLayout(from, *layout);
-  for (const light::Luminaire& luminaire : before) {
-    if (!names.contains(toQt(luminaire.name))) continue;
-    light::Luminaire changed = luminaire;
-    change(changed);
-    auto edited = scene::withEdit(next, toStd(layout_), luminaire.name,
-                                  scene::editBetween(luminaire, changed));
-    if (edited) next = std::move(*edited);
-  }
-  return next;
-}
-
 void Document::editLuminaires(const QString& text, const QStringList& names,
                               const std::function<void(light::Luminaire&)>& change, int merge_key) {
   cancelPreview();
-  edit(text, withChange(*scene_, names, change), merge_key);
+  edit(text, withChanged(*scene_, toStd(layout_), names, change), merge_key);
 }
 
 void Document::preview(const QStringList& names,
                        const std::function<void(light::Luminaire&)>& change) {
+  if (before_preview_ == nullptr) before_preview_ = preview_base_ = scene_;
+  show(std::make_shared<const scene::Scene>(
+           withChanged(*preview_base_, toStd(layout_), names, change)),
+       layout_);
+}
+
+void Document::previewScene(scene::Scene scene) {
   if (before_preview_ == nullptr) before_preview_ = scene_;
-  show(std::make_shared<const scene::Scene>(withChange(*before_preview_, names, change)), layout_);
+  preview_base_ = std::make_shared<const scene::Scene>(std::move(scene));
+  show(preview_base_, layout_);
 }
 
 void Document::commitPreview(const QString& text) {
@@ -165,9 +204,27 @@ void Document::growTo(const QString& text, io::Project grown) {
       }));
 }
 
+bool Document::hasFile(const std::string& file) const {
+  std::error_code code;
+  return pending_files_.holds(file) ||
+         std::filesystem::is_regular_file(project_.path.parent_path() / file, code);
+}
+
+std::string Document::addFile(const std::string& wanted, std::string bytes) {
+  return pending_files_.add(wanted, std::move(bytes), project_.path.parent_path());
+}
+
+Result<void> Document::writeFiles() const {
+  const ScenePtr& scene = before_preview_ == nullptr ? scene_ : before_preview_;
+  return pending_files_.write(*scene, project_.path.parent_path());
+}
+
 Result<void> Document::save(const std::filesystem::path& file) {
   cancelPreview();
   project_.scene = *scene_;
+  if (auto written = pending_files_.write(*scene_, file.parent_path()); !written) {
+    return written.error();
+  }
   const auto saved = io::saveProject(project_, file);
   if (!saved) return saved.error();
   const bool moved = file != project_.path;

@@ -3,6 +3,7 @@
 
 #include "core/io/project/project.h"
 #include "core/scene/edits.h"
+#include "ui/document/pending_files.h"
 #include "ui/document/scene_command.h"
 
 #include <QObject>
@@ -43,6 +44,23 @@ class Document : public QObject {
   [[nodiscard]] const QStringList& selection() const { return selection_; }
   void setSelection(const QStringList& names);
 
+  /// Luminaires out of sight: their bodies are neither drawn nor found, their light stays. No part
+  /// of the project, and no undo step.
+  [[nodiscard]] const QStringList& hidden() const { return hidden_; }
+  void setHidden(const QStringList& names);
+
+  /// The light scenes of the layout that is shown.
+  [[nodiscard]] const std::vector<io::LightScene>& lightScenes() const;
+  /// Others, as one undo step.
+  void editLightScenes(const QString& text, std::vector<io::LightScene> scenes);
+
+  /// Groups that are listened to alone: all others are dark in litLuminaires(). Empty: none. No
+  /// part of the project, and no undo step.
+  [[nodiscard]] const QStringList& soloGroups() const { return solo_; }
+  void setSoloGroups(const QStringList& groups);
+  /// The luminaires as they are lit now.
+  [[nodiscard]] std::vector<light::Luminaire> litLuminaires() const;
+
   /// Another scene, as one undo step. Consecutive edits with the same text and merge_key (not -1)
   /// are one step. An equal scene is no step.
   void edit(const QString& text, scene::Scene next, int merge_key = -1);
@@ -55,6 +73,9 @@ class Document : public QObject {
   /// Shows luminaires changed, without an undo step: the movement of a drag. Each call starts from
   /// the scene before the preview.
   void preview(const QStringList& names, const std::function<void(light::Luminaire&)>& change);
+  /// Shows another scene without an undo step, and lets preview() start from it: copies that are
+  /// about to be dragged, an array whose numbers are still being typed.
+  void previewScene(scene::Scene scene);
   [[nodiscard]] bool previewing() const { return before_preview_ != nullptr; }
   /// Makes the preview an undo step, or goes back to the scene before it.
   void commitPreview(const QString& text);
@@ -68,6 +89,14 @@ class Document : public QObject {
   void setRecovered();
   /// A project that grew by a model (io::withModel of current()), as one undo step.
   void growTo(const QString& text, io::Project grown);
+  /// Whether the project's folder holds a file that luminaires name, or will when it is saved.
+  [[nodiscard]] bool hasFile(const std::string& file) const;
+  /// A file for luminaires to name: written with the project. PendingFiles::add() of its folder.
+  std::string addFile(const std::string& wanted, std::string bytes);
+
+  /// Writes those of addFile() that the scene names into the project's folder: before anything else
+  /// that reads or copies what the project names. Errors: the disk.
+  [[nodiscard]] Result<void> writeFiles() const;
 
   /// Writes the project (io::saveProject) and makes `file` its path.
   /// Errors: saveProject()'s; nothing has changed then.
@@ -77,22 +106,28 @@ class Document : public QObject {
   void sceneChanged();      ///< another snapshot, or another layout of it
   void layoutChanged();     ///< which layout is shown
   void selectionChanged();  ///< which luminaires are selected
+  void hiddenChanged();     ///< which luminaires are out of sight
+  void lightScenesChanged();
+  void soloChanged();
   void pathChanged();
   void modifiedChanged(bool modified);
 
  private:
   void show(const ScenePtr& scene, const QString& layout);
   void resolve();
+  void takeLightScenes(const QString& layout, std::vector<io::LightScene> scenes);
   void dropMissingFromSelection();
-  [[nodiscard]] scene::Scene withChange(const scene::Scene& from, const QStringList& names,
-                                        const std::function<void(light::Luminaire&)>& change) const;
 
   io::Project project_;
   ScenePtr scene_;
   ScenePtr before_preview_;
+  ScenePtr preview_base_;  ///< what preview() starts from
   QString layout_;
   std::vector<light::Luminaire> luminaires_;
   QStringList selection_;
+  QStringList hidden_;
+  QStringList solo_;
+  PendingFiles pending_files_;
   QUndoStack undo_stack_;
 };
 

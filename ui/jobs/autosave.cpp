@@ -68,6 +68,8 @@ void Autosave::keep() {
     lock_->setStaleLockTime(0);
     lock_->tryLock(0);
   }
+  // A recovered version is opened in the project's folder: what it names must lie there.
+  if (auto written = document_.writeFiles(); !written) Q_EMIT failed(messageOf(written.error()));
   const QImage thumbnail = thumbnail_ ? thumbnail_() : QImage();
   background_.run([this, id = id_, project = document_.current(), name = document_.name(),
                    thumbnail]() -> Background::End {

@@ -4,6 +4,7 @@
 #include "core/scene/equality.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace soffit::ui {
 namespace {
@@ -11,11 +12,26 @@ namespace {
 /// Layouts whose columns are kept; an office of 60 luminaires takes about 30 MB each.
 constexpr std::size_t kMostLayouts = 6;
 
+/// Whether two luminaires differ in nothing but how much they give, and where they are listed.
+bool sameButMix(const light::Luminaire& a, light::Luminaire b) {
+  b.name = a.name;
+  b.dimming = a.dimming;
+  b.on = a.on;
+  b.colour = a.colour;
+  b.group = a.group;
+  return scene::same(a, b);
+}
+
 }  // namespace
 
 void LightColumns::setSolver(std::shared_ptr<const relight::Solver> solver) {
   entries_.clear();
   solver_ = std::move(solver);
+}
+
+void LightColumns::repaint(std::shared_ptr<const relight::Solver> solver) {
+  solver_ = std::move(solver);
+  for (Entry& entry : entries_) entry.grabbed.reset();
 }
 
 LightColumns::Entry& LightColumns::entryOf(const std::string& layout) {
@@ -38,13 +54,36 @@ bool LightColumns::onlyMoved(const Entry& entry, const std::vector<light::Lumina
   return true;
 }
 
+/// Notes which luminaires shed another light, not only more or less of it.
 Result<void> LightColumns::take(Entry& entry, const std::vector<light::Luminaire>& luminaires,
                                 const Job& job) {
+  const std::vector<light::Luminaire> before = std::exchange(entry.luminaires, {});
+  if (entry.grabbed || before.size() != luminaires.size()) entry.sums.clear();
   entry.grabbed.reset();
-  entry.luminaires.clear();
+  entry.changed.resize(luminaires.size(), true);
+  if (&entry.lighting->solver() != solver_.get()) {
+    entry.sums.clear();
+    if (auto painted = entry.lighting->repaint(solver_, job); !painted) return painted.error();
+  }
   const auto set = entry.lighting->setLuminaires(luminaires, job);
-  if (set) entry.luminaires = luminaires;
+  for (std::size_t i = 0; i < luminaires.size(); ++i) {
+    const bool same = i < before.size() && sameButMix(before[i], luminaires[i]);
+    entry.changed[i] = entry.changed[i] || !same;
+  }
+  if (set) {
+    entry.luminaires = luminaires;
+  } else {
+    entry.sums.clear();
+  }
   return set;
+}
+
+relight::Planes LightColumns::mixed(Entry& entry) {
+  std::vector<std::string> groups;
+  for (const light::Luminaire& l : entry.luminaires) groups.push_back(l.group);
+  relight::Planes total = entry.sums.total(*entry.lighting, groups, entry.changed);
+  entry.changed.assign(groups.size(), false);
+  return total;
 }
 
 Result<LightColumns::Answer> LightColumns::light(const std::string& layout,
@@ -54,7 +93,8 @@ Result<LightColumns::Answer> LightColumns::light(const std::string& layout,
   Entry& entry = entryOf(layout);
   relight::Lighting& lighting = *entry.lighting;
   Answer answer;
-  if (in_hand && *in_hand < luminaires.size() && luminaires[*in_hand].on &&
+  const bool painted = &lighting.solver() != solver_.get();
+  if (!painted && in_hand && *in_hand < luminaires.size() && luminaires[*in_hand].on &&
       onlyMoved(entry, luminaires, *in_hand)) {
     if (entry.grabbed != in_hand) {
       lighting.grab(*in_hand);
@@ -67,7 +107,7 @@ Result<LightColumns::Answer> LightColumns::light(const std::string& layout,
     answer.lux = lighting.moved();
   } else {
     if (const auto taken = take(entry, luminaires, job); !taken) return taken.error();
-    answer.lux = lighting.total();
+    answer.lux = mixed(entry);
   }
   answer.emitters.assign(lighting.emitters().begin(), lighting.emitters().end());
   return answer;

@@ -3,6 +3,7 @@
 
 #include "core/relight/lighting.h"
 #include "core/scene/scene.h"
+#include "ui/jobs/group_sums.h"
 
 #include <list>
 #include <memory>
@@ -16,6 +17,10 @@ namespace soffit::ui {
 /// costs a sum, and a drag keeps one luminaire in hand. Belongs to one thread.
 class LightColumns {
  public:
+  /// The solver with other reflectances: direct light stays, its reflections follow at the next
+  /// light() of each layout.
+  void repaint(std::shared_ptr<const relight::Solver> solver);
+
   /// Another solver: all light is computed anew.
   void setSolver(std::shared_ptr<const relight::Solver> solver);
   [[nodiscard]] const std::shared_ptr<const relight::Solver>& solver() const { return solver_; }
@@ -37,12 +42,14 @@ class LightColumns {
     std::unique_ptr<relight::Lighting> lighting;
     std::vector<light::Luminaire> luminaires;  ///< the state of `lighting`
     std::optional<std::size_t> grabbed;
+    GroupSums sums;
+    std::vector<bool> changed;  ///< since the sums were made
   };
   Entry& entryOf(const std::string& layout);
   static bool onlyMoved(const Entry& entry, const std::vector<light::Luminaire>& luminaires,
                         std::size_t in_hand);
-  static Result<void> take(Entry& entry, const std::vector<light::Luminaire>& luminaires,
-                           const Job& job);
+  static relight::Planes mixed(Entry& entry);
+  Result<void> take(Entry& entry, const std::vector<light::Luminaire>& luminaires, const Job& job);
 
   std::shared_ptr<const relight::Solver> solver_;
   std::list<Entry> entries_;  ///< the layout used last in front

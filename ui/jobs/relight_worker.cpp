@@ -47,8 +47,8 @@ RelightWorker::~RelightWorker() {
 void RelightWorker::request(LightRequest request) {
   {
     const std::scoped_lock lock(mutex_);
+    if (request.stops_older) current_.request_stop();
     newest_ = std::move(request);
-    current_.request_stop();
   }
   wake_.notify_all();
 }
@@ -154,7 +154,7 @@ void RelightWorker::ensureBake(const LightRequest& request) {
 void RelightWorker::ensureMaterials(const LightRequest& request) {
   if (sameReflectances(materials_, request.scene->materials)) return;
   materials_ = request.scene->materials;
-  columns_.setSolver(columns_.solver()->repainted(materials_));
+  columns_.repaint(columns_.solver()->repainted(materials_));
 }
 
 LightFramePtr RelightWorker::lightOf(const LightRequest& request, const std::stop_token& stop) {

@@ -22,6 +22,9 @@ struct LightRequest {
   std::vector<light::Luminaire> luminaires;  ///< of that layout
   std::optional<std::size_t> in_hand;        ///< the luminaire that is being dragged
   std::uint64_t revision = 0;                ///< rising
+  /// Older work is given up. Not while many luminaires are dragged: each step of that takes longer
+  /// than the mouse leaves, and none would ever be finished.
+  bool stops_older = true;
 };
 
 /// The light engine off the GUI thread (design.md § 8): the newest request wins, stale work is

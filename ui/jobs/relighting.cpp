@@ -27,8 +27,9 @@ void Relighting::request() {
   LightRequest request;
   request.scene = document_.scene();
   request.layout = toStd(document_.layout());
-  request.luminaires = document_.luminaires();
+  request.luminaires = document_.litLuminaires();
   request.revision = ++revision_;
+  request.stops_older = !document_.previewing() || document_.selection().size() <= 1;
   if (document_.previewing() && document_.selection().size() == 1) {
     const auto found = std::ranges::find(request.luminaires, toStd(document_.selection().front()),
                                          &light::Luminaire::name);

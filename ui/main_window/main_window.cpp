@@ -60,6 +60,14 @@ MainWindow::MainWindow()
     workspace_.docks.front()->show();
     workspace_.docks.front()->raise();
   });
+  connect(&workspace_.area->input(), &ViewInput::surfaceDoubleClicked, workspace_.materials,
+          [this] {
+            for (QDockWidget* dock : workspace_.docks) {
+              if (!dock->isAncestorOf(workspace_.materials)) continue;
+              dock->show();
+              dock->raise();
+            }
+          });
   makeMenus();
   resize(kSize.boundedTo(screen()->availableSize() - kFrame));
   const QSettings settings;

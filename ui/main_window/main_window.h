@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ui/document/luminaire_array.h"
 #include "ui/main_window/project_files.h"
 #include "ui/main_window/project_session.h"
 #include "ui/main_window/workspace.h"
@@ -42,10 +43,18 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void makeFileMenu();
   void makeEditMenu();
+  void addGizmoTools(QMenu& menu);
+  void addSnapping(QMenu& menu);
   void makeViewMenu();
+  void makeInsertMenu();
+  void place(const LuminaireType& type);
+  void placeFromPhotometry();
+  void placeFromMesh();
   void makeLuminaireMenu();
   void makeResultsMenu();
   void makeLayoutsMenu();
+  void startArray(ArrayKind kind);
+  void addArrayEntries(QMenu& menu);
   void makeOtherMenus();
   void finishOpening();
   void showWorkspace(bool shown);

@@ -2,7 +2,6 @@
 // The menus of the main window: what stands in them and what it calls.
 #include "ui/actions/actions.h"
 #include "ui/actions/file_dialogs.h"
-#include "ui/actions/luminaire_actions.h"
 #include "ui/document/recent_files.h"
 #include "ui/main_window/main_window.h"
 #include "ui/widgets/theme.h"
@@ -12,9 +11,20 @@
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QUndoGroup>
 
 namespace soffit::ui {
+namespace {
+
+constexpr double kPlanFovDeg = 25.0;  // narrow: a plan has little perspective
+
+void showPlan(SceneView& view) {
+  const dvec3 middle = view.origin() + dvec3(view.bounds().center());
+  view.setViewCamera(
+      ViewCamera::from({"", middle + dvec3(0.0, 0.0, 10.0), middle, kPlanFovDeg}));
+  view.frameAll();
+}
+
+}  // namespace
 
 void MainWindow::forProject(QAction* action) {
   project_actions_.append(action);
@@ -24,26 +34,11 @@ void MainWindow::makeMenus() {
   makeFileMenu();
   makeEditMenu();
   makeViewMenu();
+  makeInsertMenu();
   makeLuminaireMenu();
   makeResultsMenu();
   makeLayoutsMenu();
   makeOtherMenus();
-}
-
-void MainWindow::makeEditMenu() {
-  QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
-  QAction* undo = undo_->createUndoAction(this, tr("Undo"));
-  undo->setShortcut(QKeySequence::Undo);
-  QAction* redo = undo_->createRedoAction(this, tr("Redo"));
-  redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
-  menu.addActions({undo, redo});
-  menu.addSeparator();
-  forProject(addEntry(menu, {tr("&Duplicate"), QKeySequence(tr("Ctrl+D")), {}}, this,
-                      [this] { duplicateSelection(session_->document()); }));
-  forProject(addEntry(menu, {tr("De&lete"), QKeySequence::Delete, {}}, this,
-                      [this] { deleteSelection(session_->document()); }));
-  forProject(addEntry(menu, {tr("Select &all"), QKeySequence::SelectAll, {}}, this,
-                      [this] { selectAll(session_->document()); }));
 }
 
 void MainWindow::makeViewMenu() {
@@ -52,6 +47,10 @@ void MainWindow::makeViewMenu() {
                       [this] { workspace_.area->view().frameAll(); }));
   forProject(addEntry(menu, {tr("Frame &selection"), QKeySequence(Qt::Key_Period), {}}, this,
                       [this] { workspace_.area->view().frameSelection(); }));
+  forProject(addEntry(menu,
+                      {tr("&Plan from above"), QKeySequence(tr("Shift+Home")),
+                       tr("Through the ceiling, to arrange and draw")},
+                      this, [this] { showPlan(workspace_.area->view()); }));
   menu.addSeparator();
   QAction* false_color = addToggle(
       menu,
@@ -79,19 +78,6 @@ void MainWindow::makeViewMenu() {
   }
 }
 
-void MainWindow::makeLuminaireMenu() {
-  QMenu& menu = *menuBar()->addMenu(tr("&Luminaire"));
-  forProject(addEntry(menu, {tr("Switch &on or off"), QKeySequence(Qt::Key_O), {}}, this,
-                      [this] { toggleSelection(session_->document()); }));
-  for (const int percent : {100, 75, 50, 25, 10}) {
-    forProject(addEntry(menu, {tr("Dim to %1 %").arg(percent), {}, {}}, this, [this, percent] {
-      Document& document = session_->document();
-      document.editLuminaires(tr("Dim"), document.selection(),
-                              [percent](light::Luminaire& l) { l.dimming = percent / 100.0; });
-    }));
-  }
-}
-
 void MainWindow::makeOtherMenus() {
   QMenu& window = *menuBar()->addMenu(tr("&Window"));
   for (QDockWidget* dock : workspace_.docks) {
@@ -103,16 +89,22 @@ void MainWindow::makeOtherMenus() {
     QMessageBox::information(
         this, tr("Mouse and keys"),
         tr("<table cellspacing=6>"
-           "<tr><td>Left</td><td>select; drag a luminaire, an arrow or a plane; elsewhere "
-           "orbit</td></tr>"
-           "<tr><td>Middle, Shift+Left</td><td>pan</td></tr>"
+           "<tr><td>Left</td><td>select; drag a luminaire or the gizmo; elsewhere orbit</td></tr>"
+           "<tr><td>Shift, Ctrl + click</td><td>add, remove; drag from an empty place for a rubber "
+           "band</td></tr>"
+           "<tr><td>Shift + drag a luminaire</td><td>a copy</td></tr>"
+           "<tr><td>Middle, Shift + right</td><td>pan</td></tr>"
            "<tr><td>Right</td><td>look round</td></tr>"
            "<tr><td>Wheel</td><td>toward what is under the cursor</td></tr>"
-           "<tr><td>Ctrl while dragging</td><td>steps of 0.1 m</td></tr>"
+           "<tr><td>W, E, R</td><td>move, rotate, resize</td></tr>"
+           "<tr><td>While dragging</td><td>X, Y, Z lock an axis; type a value: 1.2, 120 cm; Ctrl: "
+           "whole steps; Alt: no snapping; Enter: done</td></tr>"
            "<tr><td>Esc</td><td>give up a drag, select nothing</td></tr>"
            "<tr><td>F</td><td>false colours</td></tr>"
            "<tr><td>V</td><td>next layout</td></tr>"
            "<tr><td>O</td><td>switch on or off</td></tr>"
+           "<tr><td>A</td><td>aim at a point</td></tr>"
+           "<tr><td>H, Shift+H, Ctrl+H</td><td>hide, hide others, show all</td></tr>"
            "<tr><td>Home, period</td><td>frame all, frame the selection</td></tr>"
            "<tr><td>Ctrl+Up, Ctrl+Down</td><td>exposure by a quarter stop</td></tr></table>"));
   });

@@ -43,6 +43,8 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
   workspace_.area->input().setDocument(&document_);
   workspace_.lights->setDocument(&document_);
   workspace_.luminaire->setDocument(&document_);
+  workspace_.mixer->setDocument(&document_);
+  workspace_.materials->setDocument(&document_);
   workspace_.layouts->setDocument(&document_);
   workspace_.view->setDocument(&document_);
   for (const std::string& warning : document_.project().warnings) {
@@ -68,6 +70,8 @@ ProjectSession::~ProjectSession() {
   workspace_.area->input().setDocument(nullptr);
   workspace_.lights->setDocument(nullptr);
   workspace_.luminaire->setDocument(nullptr);
+  workspace_.mixer->setDocument(nullptr);
+  workspace_.materials->setDocument(nullptr);
   workspace_.layouts->setDocument(nullptr);
   workspace_.view->setDocument(nullptr);
   workspace_.results->setReadings(nullptr);
@@ -85,6 +89,9 @@ void ProjectSession::connectView() {
     workspace_.area->view().setScene(document_.scene());
     placeLuminaires();
   });
+  connect(&document_, &Document::hiddenChanged, this, &ProjectSession::placeLuminaires);
+  connect(&workspace_.area->input(), &ViewInput::hintChanged, workspace_.status,
+          &StatusLine::showHint);
   connect(&document_, &Document::selectionChanged, this,
           [this] { workspace_.area->view().setSelection(document_.selection()); });
   connect(&view, &SceneView::lightShown, this, [this](quint64, double frame_ms) {
@@ -95,6 +102,8 @@ void ProjectSession::connectView() {
   });
   connect(&workspace_.area->input(), &ViewInput::pointed, this,
           [this](const PointedAt& at) { workspace_.status->showReading(at.surface); });
+  connect(&workspace_.area->input(), &ViewInput::surfaceClicked, this,
+          [this](const SurfaceReading& at) { workspace_.materials->choose(toQt(at.material)); });
   connect(&workspace_.area->input(), &ViewInput::left, this,
           [this] { workspace_.status->showReading(std::nullopt); });
 }
@@ -155,8 +164,12 @@ void ProjectSession::onFrame() {
 }
 
 void ProjectSession::placeLuminaires() {
+  std::vector<light::Luminaire> seen = document_.litLuminaires();
+  if (!document_.hidden().isEmpty()) {
+    std::erase_if(seen, [&](const auto& l) { return document_.hidden().contains(toQt(l.name)); });
+  }
   workspace_.area->view().setLuminaires(
-      std::make_shared<const EmitterSet>(document_.luminaires(), document_.scene()->mesh->origin));
+      std::make_shared<const EmitterSet>(seen, document_.scene()->mesh->origin));
 }
 
 void ProjectSession::showFirstCamera() {

@@ -39,8 +39,11 @@ QWidget* scrolled(QWidget* panel) {
 Workspace makeWorkspace(QMainWindow& window) {
   Workspace w;
   w.area = new ViewArea;
+  w.library = new LibraryPanel;
   w.lights = new LightsPanel;
   w.luminaire = new LuminairePanel;
+  w.mixer = new MixerPanel;
+  w.materials = new MaterialsPanel;
   w.layouts = new LayoutsPanel;
   w.view = new ViewPanel;
   w.results = new ResultsPanel;
@@ -53,6 +56,12 @@ Workspace makeWorkspace(QMainWindow& window) {
                                  scrolled(w.luminaire));
   QDockWidget* view =
       dock(window, w, Qt::RightDockWidgetArea, tr("View"), "view", scrolled(w.view));
+  QDockWidget* mixer =
+      dock(window, w, Qt::RightDockWidgetArea, tr("Light mixer"), "mixer", scrolled(w.mixer));
+  QDockWidget* materials =
+      dock(window, w, Qt::RightDockWidgetArea, tr("Materials"), "materials", scrolled(w.materials));
+  QDockWidget* library =
+      dock(window, w, Qt::LeftDockWidgetArea, tr("Library"), "library", w.library);
   QDockWidget* layouts =
       dock(window, w, Qt::BottomDockWidgetArea, tr("Layouts"), "layouts", w.layouts);
   QDockWidget* lights =
@@ -64,8 +73,12 @@ Workspace makeWorkspace(QMainWindow& window) {
   window.tabifyDockWidget(lights, results);
   window.tabifyDockWidget(results, log);
   lights->raise();
+  window.tabifyDockWidget(properties, materials);
+  properties->raise();
+  window.tabifyDockWidget(view, mixer);
+  mixer->raise();
   window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  window.resizeDocks({view}, {290}, Qt::Horizontal);
+  window.resizeDocks({library, view}, {220, 290}, Qt::Horizontal);
   window.resizeDocks({properties, view}, {430, 300}, Qt::Vertical);
   window.resizeDocks({layouts, lights}, {210, 760}, Qt::Horizontal);
   window.resizeDocks({layouts}, {215}, Qt::Vertical);

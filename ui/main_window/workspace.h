@@ -3,9 +3,12 @@
 
 #include "ui/main_window/view_area.h"
 #include "ui/panels/layouts_panel.h"
+#include "ui/panels/library_panel.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/panels/log_panel.h"
 #include "ui/panels/luminaire_panel.h"
+#include "ui/panels/materials_panel.h"
+#include "ui/panels/mixer_panel.h"
 #include "ui/panels/results_panel.h"
 #include "ui/panels/status_line.h"
 #include "ui/panels/view_panel.h"
@@ -18,8 +21,11 @@ namespace soffit::ui {
 /// The parts that a project is worked on with, laid out in docks. The window owns them.
 struct Workspace {
   ViewArea* area = nullptr;
+  LibraryPanel* library = nullptr;
   LightsPanel* lights = nullptr;
   LuminairePanel* luminaire = nullptr;
+  MixerPanel* mixer = nullptr;
+  MaterialsPanel* materials = nullptr;
   LayoutsPanel* layouts = nullptr;
   ViewPanel* view = nullptr;
   ResultsPanel* results = nullptr;

@@ -5,6 +5,7 @@
 #include "ui/document/text.h"
 #include "ui/panels/luminaire_text.h"
 #include "ui/widgets/quantity.h"
+#include "ui/widgets/value_change.h"
 
 #include <algorithm>
 
@@ -57,33 +58,41 @@ int LightsModel::rowOf(const QString& name) const {
   return found == rows_.end() ? -1 : static_cast<int>(found - rows_.begin());
 }
 
-QString LightsModel::textOf(const light::Luminaire& luminaire, int column) const {
+QString LightsModel::textOf(int row, int column) const {
+  const light::Luminaire& luminaire = rows_[static_cast<std::size_t>(row)];
   switch (column) {
     case kName:
       return toQt(luminaire.name);
     case kDimming:
       return formatQuantity(luminaire.dimming, Dimension::share, 0);
-    case kFlux: {
-      const int row = rowOf(toQt(luminaire.name));
+    case kFlux:
       return formatQuantity(flux_[static_cast<std::size_t>(row)], Dimension::flux, 0);
-    }
     case kColour:
       return describeColour(luminaire.colour);
+    case kX:
+    case kY:
+    case kZ:
+      return formatQuantity(luminaire.position[column - kX], Dimension::length, 3);
     default:
       return toQt(luminaire.group);
   }
 }
 
-QVariant LightsModel::sortKeyOf(const light::Luminaire& luminaire, int column) const {
+QVariant LightsModel::sortKeyOf(int row, int column) const {
+  const light::Luminaire& luminaire = rows_[static_cast<std::size_t>(row)];
   switch (column) {
     case kDimming:
       return luminaire.on ? luminaire.dimming : -1.0;
     case kFlux:
-      return flux_[static_cast<std::size_t>(rowOf(toQt(luminaire.name)))];
+      return flux_[static_cast<std::size_t>(row)];
     case kColour:
       return luminaire.colour.cct_k.value_or(0.0);
+    case kX:
+    case kY:
+    case kZ:
+      return luminaire.position[column - kX];
     default:
-      return textOf(luminaire, column);
+      return textOf(row, column);
   }
 }
 
@@ -93,9 +102,9 @@ QVariant LightsModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole:
-      return textOf(luminaire, index.column());
+      return textOf(index.row(), index.column());
     case Qt::UserRole:
-      return sortKeyOf(luminaire, index.column());
+      return sortKeyOf(index.row(), index.column());
     case Qt::CheckStateRole:
       if (index.column() == kName) return luminaire.on ? Qt::Checked : Qt::Unchecked;
       return {};
@@ -103,9 +112,9 @@ QVariant LightsModel::data(const QModelIndex& index, int role) const {
       if (index.column() == kColour) return swatchOf(luminaire.colour);
       return {};
     case Qt::TextAlignmentRole:
-      return index.column() == kDimming || index.column() == kFlux
-                 ? QVariant(Qt::AlignRight | Qt::AlignVCenter)
-                 : QVariant(Qt::AlignLeft | Qt::AlignVCenter);
+      return index.column() == kName || index.column() == kColour || index.column() == kGroup
+                 ? QVariant(Qt::AlignLeft | Qt::AlignVCenter)
+                 : QVariant(Qt::AlignRight | Qt::AlignVCenter);
     case Qt::ToolTipRole:
       return QStringLiteral("%1\n%2\n%3")
           .arg(toQt(luminaire.name), describeShape(luminaire.shape),
@@ -126,56 +135,86 @@ QVariant LightsModel::headerData(int section, Qt::Orientation orientation, int r
       return tr("Flux");
     case kColour:
       return tr("Colour");
+    case kX:
+      return QStringLiteral("x");
+    case kY:
+      return QStringLiteral("y");
+    case kZ:
+      return QStringLiteral("z");
     default:
       return tr("Group");
   }
 }
 
 Qt::ItemFlags LightsModel::flags(const QModelIndex& index) const {
-  Qt::ItemFlags flags = Qt::ItemIsSelectable | Qt::ItemIsEnabled;
-  if (index.column() == kName) return flags | Qt::ItemIsUserCheckable;
-  return flags | Qt::ItemIsEditable;
+  const Qt::ItemFlags flags = Qt::ItemIsSelectable | Qt::ItemIsEnabled | Qt::ItemIsEditable;
+  return index.column() == kName ? flags | Qt::ItemIsUserCheckable : flags;
+}
+
+QStringList LightsModel::targetsOf(const QModelIndex& index) const {
+  const QString name = nameAt(index.row());
+  return document_->selection().contains(name) ? document_->selection() : QStringList{name};
+}
+
+void LightsModel::rename(const QString& from, const QString& to) {
+  const QString name = to.trimmed();
+  if (name == from) return;
+  auto renamed = scene::withLuminaireRenamed(*document_->scene(), toStd(from), toStd(name));
+  if (!renamed) return;  // the old name comes back
+  document_->edit(tr("Rename to %1").arg(name), std::move(*renamed));
+  document_->setSelection({name});
+}
+
+void LightsModel::change(int column, const QString& text, const QStringList& names) {
+  const auto by = [&](const QString& step, Dimension dimension, double least, const auto& apply) {
+    const auto changed = parseChange(text, dimension, least);
+    if (!changed) return;
+    document_->editLuminaires(step, names, [&](light::Luminaire& l) { apply(l, *changed); });
+  };
+  using Change = std::function<double(double)>;
+  switch (column) {
+    case kDimming:
+      by(tr("Dim"), Dimension::share, 0.0,
+         [](light::Luminaire& l, const Change& f) { l.dimming = f(l.dimming); });
+      break;
+    case kFlux:
+      by(tr("Change flux"), Dimension::flux, 0.0,
+         [](light::Luminaire& l, const Change& f) { l.flux = f(fluxOf(l)); });
+      break;
+    case kColour:
+      by(tr("Change colour temperature"), Dimension::temperature, 1000.0,
+         [](light::Luminaire& l, const Change& f) {
+           l.colour.cct_k = f(l.colour.cct_k.value_or(4000.0));
+         });
+      break;
+    case kX:
+    case kY:
+    case kZ:
+      by(tr("Move"), Dimension::length, -1e7, [column](light::Luminaire& l, const Change& f) {
+        l.position[column - kX] = f(l.position[column - kX]);
+      });
+      break;
+    case kGroup:
+      document_->editLuminaires(tr("Change group"), names,
+                                [&](light::Luminaire& l) { l.group = toStd(text.trimmed()); });
+      break;
+    default:
+      break;
+  }
 }
 
 bool LightsModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   if (document_ == nullptr || !index.isValid()) return false;
-  const QStringList names{nameAt(index.row())};
   if (role == Qt::CheckStateRole) {
     const bool on = value.toInt() == Qt::Checked;
-    document_->editLuminaires(on ? tr("Switch on") : tr("Switch off"), names,
+    document_->editLuminaires(on ? tr("Switch on") : tr("Switch off"), targetsOf(index),
                               [on](light::Luminaire& l) { l.on = on; });
-    return true;
+  } else if (index.column() == kName) {
+    rename(nameAt(index.row()), value.toString());
+  } else if (value.toString() != textOf(index.row(), index.column())) {
+    change(index.column(), value.toString(), targetsOf(index));
   }
-  const QString text = value.toString();
-  const auto number = [&](Dimension dimension, double least) -> std::optional<double> {
-    const auto read = parseQuantity(text, dimension);
-    return read && *read >= least ? read : std::nullopt;
-  };
-  switch (index.column()) {
-    case kDimming:
-      if (const auto v = number(Dimension::share, 0.0)) {
-        document_->editLuminaires(tr("Dim"), names, [v](light::Luminaire& l) { l.dimming = *v; });
-      }
-      return true;
-    case kFlux:
-      if (const auto v = number(Dimension::flux, 0.0)) {
-        document_->editLuminaires(tr("Change flux"), names,
-                                  [v](light::Luminaire& l) { l.flux = v; });
-      }
-      return true;
-    case kColour:
-      if (const auto v = number(Dimension::temperature, 1000.0)) {
-        document_->editLuminaires(tr("Change colour temperature"), names,
-                                  [v](light::Luminaire& l) { l.colour.cct_k = v; });
-      }
-      return true;
-    case kGroup:
-      document_->editLuminaires(tr("Change group"), names,
-                                [&](light::Luminaire& l) { l.group = toStd(text); });
-      return true;
-    default:
-      return false;
-  }
+  return true;
 }
 
 }  // namespace soffit::ui

@@ -7,13 +7,14 @@
 
 namespace soffit::ui {
 
-/// The luminaires of the layout that is shown, a row each. On, group, dimming, flux and colour
-/// temperature can be edited in place; each edit is an undo step.
+/// The luminaires of the layout that is shown, a row each. All columns can be edited in place. An
+/// edit of a row that is selected goes to all that are selected, and is one undo step: a value for
+/// all, or `+=50`, `-=5 %`, `*=1.2` from each one's own.
 class LightsModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { kName, kDimming, kFlux, kColour, kGroup, kColumns };
+  enum Column { kName, kDimming, kFlux, kColour, kGroup, kX, kY, kZ, kColumns };
 
   explicit LightsModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
   void setDocument(Document* document);
@@ -32,8 +33,11 @@ class LightsModel : public QAbstractTableModel {
 
  private:
   void refresh();
-  [[nodiscard]] QString textOf(const light::Luminaire& luminaire, int column) const;
-  [[nodiscard]] QVariant sortKeyOf(const light::Luminaire& luminaire, int column) const;
+  [[nodiscard]] QString textOf(int row, int column) const;
+  [[nodiscard]] QVariant sortKeyOf(int row, int column) const;
+  [[nodiscard]] QStringList targetsOf(const QModelIndex& index) const;
+  void rename(const QString& from, const QString& to);
+  void change(int column, const QString& text, const QStringList& names);
 
   Document* document_ = nullptr;
   std::vector<light::Luminaire> rows_;

@@ -29,14 +29,18 @@ LightsPanel::LightsPanel(QWidget* parent)
   table_->setShowGrid(false);
   table_->setWordWrap(false);
   table_->setAccessibleName(tr("Luminaires"));
+  table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  table_->setToolTip(tr("Double-click or F2 to edit all that are selected: 80 %, +=10, *=1.2"));
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
-  table_->horizontalHeader()->setStretchLastSection(true);
   const int digit = table_->fontMetrics().horizontalAdvance(QLatin1Char('0'));
-  const int widths[] = {16 * digit, 8 * digit, 9 * digit, 11 * digit, 10 * digit};
+  const int widths[] = {16 * digit, 8 * digit, 10 * digit, 11 * digit,
+                        12 * digit, 9 * digit, 9 * digit,  9 * digit};
   for (int i = 0; i < LightsModel::kColumns; ++i) table_->setColumnWidth(i, widths[i]);
+  table_->horizontalHeader()->setSectionResizeMode(LightsModel::kName, QHeaderView::Stretch);
+  table_->horizontalHeader()->setMinimumSectionSize(8 * digit);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);

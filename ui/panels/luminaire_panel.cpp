@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/panels/luminaire_panel.h"
 
+#include "core/scene/equality.h"
 #include "ui/document/text.h"
 #include "ui/panels/luminaire_text.h"
 
@@ -20,7 +21,7 @@ namespace soffit::ui {
 namespace {
 
 /// Ways that are one undo step each: a slider's, and the steps of an arrow key.
-enum MergeKey { kDimmingWay = 1, kFluxWay, kColourWay, kPlaceWay, kTurnWay };
+enum MergeKey { kDimmingWay = 1, kFluxWay, kColourWay, kPlaceWay, kTurnWay, kShapeWay };
 
 /// What all have in common; nothing when they differ.
 template <class Get>
@@ -67,6 +68,7 @@ LuminairePanel::LuminairePanel(QWidget* parent) : QWidget(parent) {
                  tr("Luminous flux over the whole luminaire, undimmed: 1200 lm, 1.2 klm"));
   cct_ = addBox(Dimension::temperature, 1000.0, 20000.0, 100.0, 0,
                 tr("Correlated colour temperature"));
+  shape_ = new ShapeFields;
   group_ = new QLineEdit;
   group_->setPlaceholderText(tr("mixed or none"));
   casts_shadow_ = new QCheckBox(tr("Its body casts shadows"));
@@ -80,6 +82,7 @@ LuminairePanel::LuminairePanel(QWidget* parent) : QWidget(parent) {
   form->addRow(tr("Rotation"),
                addTriple(rotation_, Dimension::angle, 5.0, 2,
                          tr("About the fixed x, y and z axes, in that order: 40 deg")));
+  form->addRow(tr("Shape"), shape_);
   form->addRow(tr("Group"), group_);
   form->addRow(casts_shadow_);
   layout->addWidget(fields_);
@@ -148,6 +151,10 @@ void LuminairePanel::connectEdits() {
           tr("Rotate"), [i, v](light::Luminaire& l) { l.rotation_deg[i] = v; }, kTurnWay);
     });
   }
+  connect(shape_, &ShapeFields::edited, this, [this](const light::Shape& shape) {
+    edit(
+        tr("Change shape"), [&](light::Luminaire& l) { l.shape = shape; }, kShapeWay);
+  });
   connect(group_, &QLineEdit::editingFinished, this, [this] {
     if (!group_->isModified()) return;
     group_->setModified(false);
@@ -210,12 +217,18 @@ void LuminairePanel::refresh() {
   dimming_slider_->setValue(static_cast<int>(std::lround(100.0 * dimming.value_or(first.dimming))));
   dimming_->setValue(dimming);
   flux_->setValue(common(all, [](const auto& l) { return fluxOf(l); }));
+  const bool one_colour =
+      std::ranges::all_of(all, [&](const auto* l) { return scene::same(l->colour, first.colour); });
+  cct_->setEmptyText(one_colour ? tr("RGB") : tr("mixed"));
   cct_->setValue(common(all, [](const auto& l) { return l.colour.cct_k; }).value_or(std::nullopt));
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
     position_[k]->setValue(common(all, [i](const auto& l) { return l.position[i]; }));
     rotation_[k]->setValue(common(all, [i](const auto& l) { return l.rotation_deg[i]; }));
   }
+  const bool one_shape =
+      std::ranges::all_of(all, [&](const auto* l) { return scene::same(l->shape, first.shape); });
+  shape_->showShape(one_shape ? &first.shape : nullptr);
   if (!group_->isModified()) {
     group_->setText(toQt(common(all, [](const auto& l) { return l.group; }).value_or("")));
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/panels/shape_fields.h"
 #include "ui/widgets/quantity_box.h"
 
 #include <QWidget>
@@ -47,6 +48,7 @@ class LuminairePanel : public QWidget {
   QuantityBox* cct_;
   std::array<QuantityBox*, 3> position_{};
   std::array<QuantityBox*, 3> rotation_{};
+  ShapeFields* shape_;
   QLineEdit* group_;
   QCheckBox* casts_shadow_;
 };

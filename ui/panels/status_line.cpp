@@ -27,6 +27,7 @@ StatusLine::StatusLine(QStatusBar* bar)
       place_(new QLabel),
       light_(new QLabel),
       quality_(new QLabel),
+      hint_(new QLabel),
       stage_(new QLabel),
       progress_(new QProgressBar),
       cancel_(new QToolButton) {
@@ -50,6 +51,7 @@ StatusLine::StatusLine(QStatusBar* bar)
   cancel_->setText(tr("Cancel"));
   bar->setSizeGripEnabled(false);
   bar->setContentsMargins(6, 0, 8, 0);
+  bar->addWidget(hint_);
   bar->addWidget(stage_);
   bar->addWidget(progress_);
   bar->addWidget(cancel_);
@@ -84,6 +86,11 @@ void StatusLine::endProgress() {
   stage_->hide();
   progress_->hide();
   cancel_->hide();
+}
+
+void StatusLine::showHint(const QString& hint) {
+  hint_->setText(hint);
+  hint_->setVisible(!hint.isEmpty());
 }
 
 void StatusLine::showReading(const std::optional<SurfaceReading>& reading) {

@@ -23,6 +23,8 @@ class StatusLine : public QObject {
 
   void showProgress(const QString& stage, double done);
   void endProgress();
+  /// What the tool at work asks for; empty: none is.
+  void showHint(const QString& hint);
   void showReading(const std::optional<SurfaceReading>& reading);
   void showLight(const LightFrame& frame, double frame_ms);
 
@@ -33,6 +35,7 @@ class StatusLine : public QObject {
   QLabel* place_;
   QLabel* light_;
   QLabel* quality_;
+  QLabel* hint_;
   QLabel* stage_;
   QProgressBar* progress_;
   QToolButton* cancel_;

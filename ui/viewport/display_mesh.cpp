@@ -14,6 +14,10 @@
 namespace soffit::ui {
 namespace {
 
+vec3 albedoOf(const scene::Material& material) {
+  return material.glass ? vec3(0.0F) : vec3(material.diffuse);
+}
+
 /// Corners of curved charts share their light when their charts look within 60 degrees of each
 /// other: a cylinder is smooth, a box is not.
 constexpr float kSmoothCosine = 0.5F;
@@ -65,9 +69,9 @@ class Builder {
   std::uint32_t addVertex(const vec3& position, const vec2& uv, std::uint32_t material,
                           const Row& row) {
     const auto index = static_cast<std::uint32_t>(out_.positions.size());
-    const bool glass = materials_[material].glass.has_value();
     out_.positions.push_back(position);
-    out_.albedo.push_back(glass ? vec3(0.0F) : vec3(materials_[material].diffuse));
+    out_.albedo.push_back(albedoOf(materials_[material]));
+    out_.material_of.push_back(material);
     if (has_maps_) out_.uvs.push_back(uv);
     for (std::size_t k = 0; k < static_cast<std::size_t>(row.count); ++k) {
       out_.slots.push_back(row.slots[k]);
@@ -281,6 +285,14 @@ DisplayMesh makeDisplayMesh(const geometry::Mesh& mesh, const transfer::Texels& 
                             std::span<const scene::Material> materials) {
   if (texels.slotCount() == 0) return {};
   return Builder(mesh, texels, materials).build();
+}
+
+DisplayMesh repainted(const DisplayMesh& mesh, std::span<const scene::Material> materials) {
+  DisplayMesh painted = mesh;
+  for (std::size_t v = 0; v < painted.albedo.size(); ++v) {
+    painted.albedo[v] = albedoOf(materials[mesh.material_of[v]]);
+  }
+  return painted;
 }
 
 void lightVertices(const DisplayMesh& mesh, const relight::Planes& lux, std::span<vec3> out) {

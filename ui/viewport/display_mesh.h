@@ -37,9 +37,10 @@ struct DisplayMesh {
     float offset = 0.0F;
   };
 
-  std::vector<vec3> positions;  ///< scene-local
-  std::vector<vec3> albedo;     ///< per vertex, map not applied
-  std::vector<vec2> uvs;        ///< per vertex; empty when no part has a map
+  std::vector<vec3> positions;             ///< scene-local
+  std::vector<vec3> albedo;                ///< per vertex, map not applied
+  std::vector<std::uint32_t> material_of;  ///< per vertex
+  std::vector<vec2> uvs;                   ///< per vertex; empty when no part has a map
   std::vector<std::uint32_t> indices;
   std::vector<Part> parts;
   std::vector<Patch> patches;  ///< all indices, in order; none reaches over a part's end
@@ -60,6 +61,9 @@ std::vector<std::uint32_t> visibleIndices(const DisplayMesh& mesh, const glm::ma
 
 DisplayMesh makeDisplayMesh(const geometry::Mesh& mesh, const transfer::Texels& texels,
                             std::span<const scene::Material> materials);
+
+/// The mesh with other reflectances of the same materials; maps stay.
+DisplayMesh repainted(const DisplayMesh& mesh, std::span<const scene::Material> materials);
 
 /// RGB lux at each vertex. out.size() == vertexCount().
 void lightVertices(const DisplayMesh& mesh, const relight::Planes& lux, std::span<vec3> out);

@@ -14,7 +14,10 @@ EmitterSet::EmitterSet(std::span<const light::Luminaire> luminaires, const dvec3
     emitters_.push_back(std::move(*emitter));
   }
   pickable_ = emitters_;
-  for (light::Emitter& e : pickable_) e.gain = std::max(e.gain, 1.0);
+  for (light::Emitter& e : pickable_) {
+    e.gain = std::max(e.gain, 1.0);
+    e.casts_shadow = true;  // found from its dark side, too: in a plan from above
+  }
   hits_ = std::make_unique<render::EmitterHits>(pickable_);
 }
 

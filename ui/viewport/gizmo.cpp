@@ -17,8 +17,26 @@ constexpr double kFarthest = 30.0;
 constexpr std::array kArrows{GizmoPart::x, GizmoPart::y, GizmoPart::z};
 constexpr std::array kPlanes{GizmoPart::yz, GizmoPart::zx, GizmoPart::xy};
 
-/// The axis of an arrow, or the normal of a plane.
-int axisIndex(GizmoPart part) {
+/// The point of the line at + s axis that is nearest to a ray.
+std::optional<dvec3> onAxis(const dvec3& at, const dvec3& axis, const dvec3& eye,
+                            const dvec3& ray) {
+  const double b = glm::dot(axis, ray);
+  const double det = 1.0 - b * b;
+  if (det < 1e-6) return std::nullopt;
+  const dvec3 w = at - eye;
+  const double s = (b * glm::dot(ray, w) - glm::dot(axis, w)) / det;
+  return at + s * axis;
+}
+
+}  // namespace
+
+dvec3 axisOf(int axis) {
+  dvec3 v(0.0);
+  v[axis] = 1.0;
+  return v;
+}
+
+int axisIndexOf(GizmoPart part) {
   switch (part) {
     case GizmoPart::x:
     case GizmoPart::yz:
@@ -31,7 +49,7 @@ int axisIndex(GizmoPart part) {
   }
 }
 
-bool isArrow(GizmoPart part) {
+bool isAxis(GizmoPart part) {
   return part == GizmoPart::x || part == GizmoPart::y || part == GizmoPart::z;
 }
 
@@ -39,17 +57,6 @@ double distanceToSegment(const dvec2& p, const dvec2& a, const dvec2& b) {
   const dvec2 d = b - a;
   const double t = glm::clamp(glm::dot(p - a, d) / std::max(glm::dot(d, d), 1e-12), 0.0, 1.0);
   return glm::length(p - (a + t * d));
-}
-
-/// The point of the line at + s axis that is nearest to a ray.
-std::optional<dvec3> onAxis(const dvec3& at, const dvec3& axis, const dvec3& eye,
-                            const dvec3& ray) {
-  const double b = glm::dot(axis, ray);
-  const double det = 1.0 - b * b;
-  if (det < 1e-6) return std::nullopt;
-  const dvec3 w = at - eye;
-  const double s = (b * glm::dot(ray, w) - glm::dot(axis, w)) / det;
-  return at + s * axis;
 }
 
 std::optional<dvec3> onPlane(const dvec3& at, const dvec3& normal, const dvec3& eye,
@@ -61,14 +68,6 @@ std::optional<dvec3> onPlane(const dvec3& at, const dvec3& normal, const dvec3& 
   return eye + t * ray;
 }
 
-}  // namespace
-
-dvec3 axisOf(int axis) {
-  dvec3 v(0.0);
-  v[axis] = 1.0;
-  return v;
-}
-
 double Gizmo::arrowLength(const dvec3& at, const ViewCamera& camera, const dvec2& size) {
   const double depth = std::max(glm::dot(at - camera.position, camera.forward), 1e-3);
   return kArrowPixels * camera.pixelSize(depth, size);
@@ -77,8 +76,8 @@ double Gizmo::arrowLength(const dvec3& at, const ViewCamera& camera, const dvec2
 bool Gizmo::isEdgeOn(GizmoPart part, const dvec3& at, const ViewCamera& camera) {
   if (part == GizmoPart::none || part == GizmoPart::free) return false;
   const double cosine =
-      std::abs(glm::dot(glm::normalize(at - camera.position), axisOf(axisIndex(part))));
-  return isArrow(part) ? cosine > std::sqrt(1.0 - kEdgeOn * kEdgeOn) : cosine < kEdgeOn;
+      std::abs(glm::dot(glm::normalize(at - camera.position), axisOf(axisIndexOf(part))));
+  return isAxis(part) ? cosine > std::sqrt(1.0 - kEdgeOn * kEdgeOn) : cosine < kEdgeOn;
 }
 
 GizmoPart Gizmo::partAt(const dvec3& at, const ViewCamera& camera, const dvec2& size,
@@ -90,7 +89,7 @@ GizmoPart Gizmo::partAt(const dvec3& at, const ViewCamera& camera, const dvec2& 
   double nearest = kReachPixels;
   for (const GizmoPart part : kArrows) {
     if (isEdgeOn(part, at, camera)) continue;
-    const dvec3 axis = axisOf(axisIndex(part));
+    const dvec3 axis = axisOf(axisIndexOf(part));
     const double d =
         distanceToSegment(mouse, pixel(at + 0.15 * length * axis), pixel(at + 1.1 * length * axis));
     if (d < nearest) {
@@ -102,7 +101,7 @@ GizmoPart Gizmo::partAt(const dvec3& at, const ViewCamera& camera, const dvec2& 
   const dvec3 ray = camera.rayThrough(mouse, size);
   for (const GizmoPart part : kPlanes) {
     if (isEdgeOn(part, at, camera)) continue;
-    const int k = axisIndex(part);
+    const int k = axisIndexOf(part);
     const auto hit = onPlane(at, axisOf(k), camera.position, ray);
     if (!hit) continue;
     const dvec3 d = (*hit - at) / length;
@@ -123,9 +122,9 @@ Gizmo::Gizmo(GizmoPart part, const dvec3& at, const ViewCamera& camera, const dv
 std::optional<dvec3> Gizmo::grip(const ViewCamera& camera, const dvec2& size,
                                  const dvec2& mouse) const {
   const dvec3 ray = camera.rayThrough(mouse, size);
-  const dvec3 axis = axisOf(axisIndex(part_));
-  return isArrow(part_) ? onAxis(start_, axis, camera.position, ray)
-                        : onPlane(start_, axis, camera.position, ray);
+  const dvec3 axis = axisOf(axisIndexOf(part_));
+  return isAxis(part_) ? onAxis(start_, axis, camera.position, ray)
+                       : onPlane(start_, axis, camera.position, ray);
 }
 
 dvec3 Gizmo::moved(const ViewCamera& camera, const dvec2& size, const dvec2& mouse) {

@@ -8,8 +8,13 @@
 
 namespace soffit::ui {
 
-/// The parts of the gizmo that can be grabbed: an arrow moves along an axis, a plane along the two
-/// others. `free` is the luminaire itself, moved along the horizontal plane that it hangs in.
+/// What the gizmo does: arrows and planes, rings, or handles to pull.
+enum class GizmoTool { move, rotate, scale };
+
+/// The parts of the gizmo that can be grabbed. Moving: an arrow moves along an axis, a plane along
+/// the two others; `free` is the luminaire itself, moved along the horizontal plane that it hangs
+/// in. Rotating: the rings about x, y and z. Scaling: the handles along x, y and z, and `free`, the
+/// cube in the middle, for all at once.
 enum class GizmoPart { none, x, y, z, yz, zx, xy, free };
 
 /// The arithmetic of moving things by arrows and planes; knows neither widgets nor VTK.
@@ -49,5 +54,16 @@ class Gizmo {
 
 /// Unit vector of a world axis, 0..2.
 dvec3 axisOf(int axis);
+
+/// The axis of an arrow, a ring or a handle, or the normal of a plane; 2 for `free`.
+int axisIndexOf(GizmoPart part);
+/// Whether a part is one of x, y and z.
+bool isAxis(GizmoPart part);
+
+/// Where a ray meets a plane, in front of the eye; nothing when it runs along it.
+std::optional<dvec3> onPlane(const dvec3& at, const dvec3& normal, const dvec3& eye,
+                             const dvec3& ray);
+/// Distance of a pixel to the line between two others.
+double distanceToSegment(const dvec2& p, const dvec2& a, const dvec2& b);
 
 }  // namespace soffit::ui

@@ -12,17 +12,18 @@ class vtkRenderer;
 
 namespace soffit::ui {
 
-/// Draws the gizmo in the overlay: three arrows and three planes in the axes' colours, the part
-/// under the mouse in yellow.
+/// Draws the gizmo in the overlay, in the axes' colours, the part under the mouse in yellow: three
+/// arrows and three planes, three rings, or three handles about a cube.
 class GizmoActor {
  public:
   explicit GizmoActor(vtkRenderer* overlay);
   ~GizmoActor();
 
   void hide();
-  /// at: scene-local. length: of an arrow, m. Parts seen end on are left out.
-  void show(const dvec3& at, double length, GizmoPart highlighted,
-            const std::array<bool, 6>& edge_on);
+  /// at: scene-local. frame: the axes, columns. length: of an arrow, m. edge_on: arrows and planes
+  /// that are seen end on and left out.
+  void show(GizmoTool tool, const dvec3& at, const dmat3& frame, double length,
+            GizmoPart highlighted, const std::array<bool, 6>& edge_on);
 
  private:
   struct Parts;

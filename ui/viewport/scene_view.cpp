@@ -2,6 +2,9 @@
 #include "ui/viewport/scene_view.h"
 
 #include "ui/document/text.h"
+#include "ui/viewport/gizmo_scaling.h"
+#include "ui/viewport/gizmo_turning.h"
+#include "ui/viewport/luminaire_mesh.h"
 #include "ui/viewport/picture_pass.h"
 #include "ui/viewport/plain_preview.h"
 
@@ -14,6 +17,9 @@ namespace soffit::ui {
 namespace {
 
 constexpr vec3 kSelectedColor{1.0F, 0.72F, 0.16F};
+constexpr vec3 kPlanColor{0.95F, 0.86F, 0.62F};
+/// Steeper than 45 degrees down is a plan.
+constexpr double kPlanSteepness = -0.7;
 constexpr vec3 kHoveredColor{0.98F, 0.98F, 0.98F};
 /// Frames slower than this are drawn with fewer pixels while things move.
 constexpr double kFluentMs = 30.0;
@@ -29,6 +35,7 @@ SceneView::SceneView(QWidget* parent) : VtkView(parent) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   gizmo_ = std::make_unique<GizmoActor>(overlay());
+  plan_outline_ = std::make_unique<OutlineActor>(overlay(), kPlanColor, 1.2F);
   hovered_outline_ = std::make_unique<OutlineActor>(overlay(), kHoveredColor, 1.5F);
   selected_outline_ = std::make_unique<OutlineActor>(overlay(), kSelectedColor, 2.5F);
   rest_.setSingleShot(true);
@@ -76,6 +83,12 @@ void SceneView::setFrame(LightFramePtr frame) {
   frame_ = std::move(frame);
   if (frame_ == nullptr) return;
   if (mesh_solver_ == frame_->solver) {
+    showLight();
+  } else if (mesh_ != nullptr && &mesh_solver_->operators() == &frame_->solver->operators()) {
+    // The same texels with other reflectances: the cuts stay.
+    mesh_ = std::make_shared<const DisplayMesh>(repainted(*mesh_, scene_->materials));
+    mesh_solver_ = frame_->solver;
+    pass().building.setMesh(mesh_);
     showLight();
   } else if (mesh_job_.solver() != frame_->solver) {
     mesh_job_.start(frame_->solver, scene_->materials);
@@ -151,10 +164,7 @@ void SceneView::frameAll() {
 
 void SceneView::frameSelection() {
   Box box;
-  for (const QString& name : selection_) {
-    const int i = luminaires_ == nullptr ? -1 : luminaires_->indexOf(toStd(name));
-    if (i >= 0) box.add(luminaires_->emitters()[static_cast<std::size_t>(i)].bounds);
-  }
+  for (const light::Emitter* e : selectedEmitters()) box.add(e->bounds);
   if (box.empty()) {
     frameAll();
     return;
@@ -223,33 +233,89 @@ std::vector<vec3> SceneView::outlines(const QStringList& names) const {
   return lines;
 }
 
-std::optional<dvec3> SceneView::gizmoPlace() const {
-  if (luminaires_ == nullptr || selection_.isEmpty()) return std::nullopt;
-  dvec3 sum(0.0);
-  int count = 0;
+std::vector<vec3> SceneView::planOutlines() const {
+  std::vector<vec3> lines;
+  if (luminaires_ == nullptr || view_.forward.z > kPlanSteepness) return lines;
+  const dvec3 eye = view_.position - origin();
+  for (const light::Emitter& e : luminaires_->emitters()) {
+    const bool dark = e.kind == light::EmitterKind::planar && !e.twoSided() && !e.casts_shadow &&
+                      glm::dot(e.normal, eye - e.position) < 0.0;
+    if (!dark) continue;
+    const auto own = outlineOf(e);
+    lines.insert(lines.end(), own.begin(), own.end());
+  }
+  return lines;
+}
+
+std::vector<const light::Emitter*> SceneView::selectedEmitters() const {
+  std::vector<const light::Emitter*> found;
+  if (luminaires_ == nullptr) return found;
   for (const QString& name : selection_) {
     const int i = luminaires_->indexOf(toStd(name));
-    if (i < 0) continue;
-    sum += luminaires_->emitters()[static_cast<std::size_t>(i)].position;
-    ++count;
+    if (i >= 0) found.push_back(&luminaires_->emitters()[static_cast<std::size_t>(i)]);
   }
-  if (count == 0) return std::nullopt;
-  return origin() + sum / static_cast<double>(count);
+  return found;
+}
+
+std::optional<dvec3> SceneView::gizmoPlace() const {
+  const auto selected = selectedEmitters();
+  if (selected.empty()) return std::nullopt;
+  dvec3 sum(0.0);
+  for (const light::Emitter* e : selected) sum += e->position;
+  return origin() + sum / static_cast<double>(selected.size());
+}
+
+dmat3 SceneView::gizmoFrame() const {
+  const auto selected = selectedEmitters();
+  return tool_ == GizmoTool::scale && selected.size() == 1 ? selected.front()->world_from_light
+                                                           : dmat3(1.0);
+}
+
+dvec3 SceneView::selectionHalfSize() const {
+  const auto at = gizmoPlace();
+  dvec3 half(0.0);
+  for (const light::Emitter* e : selectedEmitters()) {
+    if (e->bounds.empty()) continue;
+    half = glm::max(half, glm::max(dvec3(e->bounds.hi) - (*at - origin()),
+                                   (*at - origin()) - dvec3(e->bounds.lo)));
+  }
+  return half;
+}
+
+void SceneView::setGizmoTool(GizmoTool tool) {
+  if (tool == tool_) return;
+  tool_ = tool;
+  highlight_ = GizmoPart::none;
+  update();
+}
+
+void SceneView::setGizmoShown(bool shown) {
+  gizmo_shown_ = shown;
+  update();
 }
 
 GizmoPart SceneView::gizmoPartAt(const QPointF& mouse) const {
   const auto at = gizmoPlace();
-  if (!at) return GizmoPart::none;
-  return Gizmo::partAt(*at, view_, viewSize(), {mouse.x(), mouse.y()});
+  if (!at || !gizmo_shown_) return GizmoPart::none;
+  const dvec2 pixel(mouse.x(), mouse.y());
+  switch (tool_) {
+    case GizmoTool::rotate:
+      return Turning::partAt(*at, view_, viewSize(), pixel);
+    case GizmoTool::scale:
+      return Scaling::partAt(*at, gizmoFrame(), view_, viewSize(), pixel);
+    default:
+      return Gizmo::partAt(*at, view_, viewSize(), pixel);
+  }
 }
 
 void SceneView::updateOverlay() {
   selected_outline_->setLines(outlines(selection_));
   const QString hovered = toQt(hovered_);
+  plan_outline_->setLines(planOutlines());
   hovered_outline_->setLines(selection_.contains(hovered) ? std::vector<vec3>{}
                                                           : outlines({hovered}));
   const auto at = gizmoPlace();
-  if (!at || glm::dot(*at - view_.position, view_.forward) <= 0.0) {
+  if (!at || !gizmo_shown_ || glm::dot(*at - view_.position, view_.forward) <= 0.0) {
     gizmo_->hide();
     return;
   }
@@ -257,7 +323,8 @@ void SceneView::updateOverlay() {
   for (std::size_t i = 0; i < edge_on.size(); ++i) {
     edge_on[i] = Gizmo::isEdgeOn(static_cast<GizmoPart>(i + 1), *at, view_);
   }
-  gizmo_->show(*at - origin(), Gizmo::arrowLength(*at, view_, viewSize()), highlight_, edge_on);
+  gizmo_->show(tool_, *at - origin(), gizmoFrame(), Gizmo::arrowLength(*at, view_, viewSize()),
+               highlight_, edge_on);
 }
 
 void SceneView::resizeGL(int width, int height) {
@@ -301,42 +368,20 @@ std::vector<vec3> SceneView::readLinear() {
 }
 
 PointedAt SceneView::pointAt(const QPointF& mouse) const {
-  PointedAt found;
-  if (scene_ == nullptr) return found;
-  const dvec3 direction = view_.rayThrough({mouse.x(), mouse.y()}, viewSize());
-  geometry::Ray ray;
-  ray.origin = vec3(view_.position - origin());
-  ray.direction = vec3(direction);
-  double depth = 1e30;
-  if (frame_ != nullptr) {
-    found.surface = readSurface(*frame_, *scene_, ray);
-    if (found.surface) {
-      depth = glm::length(found.surface->position - view_.position);
-      found.place = found.surface->position;
-      found.hit = true;
-    }
-  }
-  if (luminaires_ == nullptr) return found;
-  const render::EmitterHit hit = luminaires_->closest(ray);
-  constexpr double kSlack = 1e-3;  // a panel lies in its ceiling
-  if (hit.valid() && static_cast<double>(hit.t) <= depth * (1.0 + kSlack) + kSlack) {
-    found.luminaire = luminaires_->name(static_cast<std::size_t>(hit.emitter));
-    found.place = view_.position + static_cast<double>(hit.t) * direction;
-    found.hit = true;
-  }
-  // Points have no surface: near enough on the screen will do.
-  constexpr double kReach = 9.0;
-  for (std::size_t i = 0; i < luminaires_->emitters().size(); ++i) {
-    const light::Emitter& e = luminaires_->emitters()[i];
-    if (e.kind != light::EmitterKind::point) continue;
-    const dvec3 at = view_.project(origin() + e.position, viewSize());
-    if (at.z <= 0.0 || at.z > depth + kSlack) continue;
-    if (glm::length(dvec2(at) - dvec2(mouse.x(), mouse.y())) > kReach) continue;
-    found.luminaire = luminaires_->name(i);
-    found.place = origin() + e.position;
-    found.hit = true;
-  }
-  return found;
+  return ui::pointAt(pointable(), view_, viewSize(), {mouse.x(), mouse.y()});
+}
+
+QStringList SceneView::luminairesIn(const QRectF& band) const {
+  return ui::luminairesIn(pointable(), view_, viewSize(), band);
+}
+
+Surroundings SceneView::surroundings(const QStringList& moving) const {
+  if (scene_ == nullptr) return {};
+  return surroundingsOf(*scene_, frame_, luminaires_.get(), moving);
+}
+
+Pointable SceneView::pointable() const {
+  return {scene_.get(), frame_.get(), luminaires_.get()};
 }
 
 }  // namespace soffit::ui

@@ -6,6 +6,7 @@
 #include "ui/viewport/emitter_set.h"
 #include "ui/viewport/gizmo_actor.h"
 #include "ui/viewport/look.h"
+#include "ui/viewport/pointing.h"
 #include "ui/viewport/shot.h"
 #include "ui/viewport/view_camera.h"
 #include "ui/viewport/vtk_view.h"
@@ -16,14 +17,6 @@
 #include <optional>
 
 namespace soffit::ui {
-
-/// What lies under a pixel.
-struct PointedAt {
-  std::string luminaire;                  ///< in front of all surfaces; empty: none
-  std::optional<SurfaceReading> surface;  ///< the surface, through luminaires
-  dvec3 place{0.0};                       ///< world, of the luminaire or the surface
-  bool hit = false;
-};
 
 /// A view of the scene in its light: camera, picture, selection and gizmo. Shows what it is given;
 /// what mouse and keys do lies in Navigation and LuminaireDrag.
@@ -60,9 +53,19 @@ class SceneView : public VtkView {
 
   /// Logical pixels.
   [[nodiscard]] PointedAt pointAt(const QPointF& mouse) const;
+  [[nodiscard]] QStringList luminairesIn(const QRectF& band) const;
+  [[nodiscard]] Surroundings surroundings(const QStringList& moving) const;
+  [[nodiscard]] GizmoTool gizmoTool() const { return tool_; }
+  void setGizmoTool(GizmoTool tool);
+  /// Without one nothing of it can be grabbed either: a tool is at work.
+  void setGizmoShown(bool shown);
   [[nodiscard]] GizmoPart gizmoPartAt(const QPointF& mouse) const;
   /// Where the gizmo is, world; nothing without a selection.
   [[nodiscard]] std::optional<dvec3> gizmoPlace() const;
+  /// The axes of the gizmo, columns: the luminaire's own for scaling one, else the world's.
+  [[nodiscard]] dmat3 gizmoFrame() const;
+  /// Half of what is selected, about the gizmo, along the world's axes, m.
+  [[nodiscard]] dvec3 selectionHalfSize() const;
   void setGizmoHighlight(GizmoPart part);
   /// The last picture without view transform, cd/m^2; empty before there is light.
   [[nodiscard]] std::vector<vec3> readLinear();
@@ -102,6 +105,9 @@ class SceneView : public VtkView {
   void restart();
   void refine();
   [[nodiscard]] double movingScale() const;
+  [[nodiscard]] Pointable pointable() const;
+  [[nodiscard]] std::vector<const light::Emitter*> selectedEmitters() const;
+  [[nodiscard]] std::vector<vec3> planOutlines() const;
   [[nodiscard]] std::vector<vec3> outlines(const QStringList& names) const;
 
   std::shared_ptr<const scene::Scene> scene_;
@@ -117,6 +123,9 @@ class SceneView : public VtkView {
   std::unique_ptr<GizmoActor> gizmo_;
   std::unique_ptr<OutlineActor> selected_outline_;
   std::unique_ptr<OutlineActor> hovered_outline_;
+  std::unique_ptr<OutlineActor> plan_outline_;  ///< luminaires seen on their dark side from above
+  GizmoTool tool_ = GizmoTool::move;
+  bool gizmo_shown_ = true;
   GizmoPart highlight_ = GizmoPart::none;
   bool light_pending_ = false;
   bool moving_ = false;

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "ui/viewport/view_input.h"
 
+#include "ui/document/luminaire_type_mime.h"
 #include "ui/document/text.h"
+#include "ui/viewport/placing.h"
 
 #include <QApplication>
+#include <QDropEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
 #include <cmath>
+#include <utility>
 
 namespace soffit::ui {
 namespace {
@@ -16,27 +20,64 @@ namespace {
 constexpr double kRadiansPerPixel = 0.006;
 constexpr double kLookPerPixel = 0.003;
 constexpr double kStepsPerNotch = 0.85;
-constexpr double kGridStep = 0.1;   // m
-constexpr double kFineStep = 1e-3;  // m: dragged places are whole millimetres
 constexpr double kDefaultDepth = 3.0;
+constexpr Qt::KeyboardModifiers kAdding = Qt::ShiftModifier | Qt::ControlModifier;
 
 dvec2 pixel(const QPointF& p) {
   return {p.x(), p.y()};
 }
 
-double rounded(double v, double step) {
-  return std::round(v / step) * step;
-}
-
 }  // namespace
 
-ViewInput::ViewInput(SceneView& view, QObject* parent) : QObject(parent), view_(view) {
+ViewInput::ViewInput(SceneView& view, QObject* parent)
+    : QObject(parent), view_(view), overlay_(new ViewOverlay(view)) {
   view_.installEventFilter(this);
+  view_.setAcceptDrops(true);
   wheel_rest_.setSingleShot(true);
   wheel_rest_.setInterval(150);
   connect(&wheel_rest_, &QTimer::timeout, this, [this] {
     if (mode_ == Mode::none) view_.setMoving(false);
   });
+}
+
+ViewInput::~ViewInput() = default;
+
+void ViewInput::setDocument(Document* document) {
+  setTool(nullptr);
+  if (document_ != nullptr && drag_ != nullptr) endMode();
+  document_ = document;
+}
+
+void ViewInput::setGizmoTool(GizmoTool tool) {
+  if (mode_ == Mode::drag || tool == view_.gizmoTool()) return;
+  view_.setGizmoTool(tool);
+  Q_EMIT gizmoToolChanged(tool);
+}
+
+void ViewInput::setTool(std::unique_ptr<ViewTool> tool) {
+  overlay_->setContent({});
+  // Later, for a tool ends from within its own signals.
+  if (tool_ != nullptr) {
+    ViewTool* old = tool_.release();
+    old->end();
+    old->deleteLater();
+  }
+  if (mode_ == Mode::tool) mode_ = Mode::none;
+  tool_ = std::move(tool);
+  view_.setGizmoShown(tool_ == nullptr);
+  view_.setCursor(tool_ == nullptr ? Qt::ArrowCursor : Qt::CrossCursor);
+  if (tool_ != nullptr) {
+    ViewTool* now = tool_.get();
+    connect(now, &ViewTool::contentChanged, overlay_, &ViewOverlay::setContent);
+    connect(now, &ViewTool::hintChanged, this, &ViewInput::hintChanged);
+    connect(now, &ViewTool::finished, this, [this, now] {
+      if (tool_.get() == now) setTool(nullptr);
+    });
+    view_.setHovered({});
+    view_.setGizmoHighlight(GizmoPart::none);
+    view_.setFocus();
+  }
+  Q_EMIT hintChanged(tool_ == nullptr ? QString() : tool_->hint());
 }
 
 bool ViewInput::eventFilter(QObject*, QEvent* event) {
@@ -48,14 +89,23 @@ bool ViewInput::eventFilter(QObject*, QEvent* event) {
     case QEvent::MouseButtonRelease:
       return release(static_cast<const QMouseEvent&>(*event));
     case QEvent::MouseButtonDblClick:
-      if (!view_.pointAt(static_cast<const QMouseEvent&>(*event).position()).luminaire.empty()) {
-        Q_EMIT editRequested();
-      }
-      return true;
+      return doubleClick(static_cast<const QMouseEvent&>(*event));
     case QEvent::Wheel:
       return wheel(static_cast<const QWheelEvent&>(*event));
+    case QEvent::ShortcutOverride:
+      // Else a typed 3 would be a shortcut of the menus.
+      if (!wantsKey(static_cast<const QKeyEvent&>(*event))) return false;
+      event->accept();
+      return true;
     case QEvent::KeyPress:
       return key(static_cast<const QKeyEvent&>(*event));
+    case QEvent::DragEnter:
+    case QEvent::DragMove:
+    case QEvent::Drop:
+      return drop(static_cast<QDropEvent&>(*event), event->type());
+    case QEvent::DragLeave:
+      setTool(nullptr);
+      return true;
     case QEvent::Leave:
       view_.setHovered({});
       view_.setGizmoHighlight(GizmoPart::none);
@@ -72,16 +122,17 @@ bool ViewInput::press(const QMouseEvent& event) {
   pressed_ = view_.pointAt(start_);
   const ViewCamera& camera = view_.viewCamera();
   pivot_ = pressed_.hit ? pressed_.place : camera.position + kDefaultDepth * camera.forward;
-  const bool left = event.button() == Qt::LeftButton;
-  if (event.button() == Qt::MiddleButton || (left && (event.modifiers() & Qt::ShiftModifier))) {
+  const bool shift = (event.modifiers() & Qt::ShiftModifier) != 0;
+  if (event.button() == Qt::MiddleButton || (event.button() == Qt::RightButton && shift)) {
     mode_ = Mode::pan;
     view_.setMoving(true);
   } else if (event.button() == Qt::RightButton) {
     mode_ = Mode::look;
     view_.setMoving(true);
-  } else if (left) {
-    pressed_part_ = view_.gizmoPartAt(start_);
-    mode_ = Mode::pressed;
+  } else if (event.button() == Qt::LeftButton) {
+    pressed_part_ = tool_ != nullptr ? GizmoPart::none : view_.gizmoPartAt(start_);
+    mode_ = tool_ != nullptr && tool_->grab(start_) ? Mode::tool : Mode::pressed;
+    if (mode_ == Mode::tool) view_.setMoving(true);
   }
   return true;
 }
@@ -101,103 +152,149 @@ void ViewInput::select(const std::string& name, bool add) {
 
 /// The press became a drag.
 void ViewInput::beginPressed(const QMouseEvent& event) {
-  const bool body = pressed_part_ == GizmoPart::none && !pressed_.luminaire.empty();
+  const bool shift = (event.modifiers() & Qt::ShiftModifier) != 0;
+  const bool body =
+      tool_ == nullptr && pressed_part_ == GizmoPart::none && !pressed_.luminaire.empty();
   if (body && !document_->selection().contains(toQt(pressed_.luminaire))) {
     select(pressed_.luminaire, (event.modifiers() & Qt::ControlModifier) != 0);
   }
+  const bool grabbed = (body || pressed_part_ != GizmoPart::none) && view_.gizmoPlace();
+  if (!grabbed && tool_ == nullptr && (event.modifiers() & kAdding) != 0) {
+    mode_ = Mode::band;
+    return;
+  }
   view_.setMoving(true);
-  const auto at = view_.gizmoPlace();
-  if ((!body && pressed_part_ == GizmoPart::none) || !at) {
+  if (!grabbed) {
     mode_ = Mode::orbit;
     return;
   }
   mode_ = Mode::drag;
-  gizmo_start_ = *at;
-  gizmo_.emplace(body ? GizmoPart::free : pressed_part_, *at, view_.viewCamera(), view_.viewSize(),
-                 pixel(start_));
-  view_.setGizmoHighlight(gizmo_->part());
+  const GizmoTool tool = body ? GizmoTool::move : view_.gizmoTool();
+  drag_ =
+      std::make_unique<DragSession>(view_, *overlay_, *document_, tool,
+                                    body ? GizmoPart::free : pressed_part_, start_, shift, rules_);
 }
 
-void ViewInput::dragTo(const QPointF& mouse, bool stepped) {
-  dvec3 offset = gizmo_->moved(view_.viewCamera(), view_.viewSize(), pixel(mouse)) - gizmo_start_;
-  const double step = stepped ? kGridStep : kFineStep;
-  for (int i = 0; i < 3; ++i) offset[i] = rounded(offset[i], step);
-  document_->preview(document_->selection(), [&](light::Luminaire& l) {
-    for (int i = 0; i < 3; ++i) {
-      if (offset[i] != 0.0) l.position[i] = rounded(l.position[i] + offset[i], kFineStep);
-    }
-  });
-}
-
-void ViewInput::hover(const QPointF& mouse) {
-  const GizmoPart part = view_.gizmoPartAt(mouse);
+void ViewInput::hover(const QMouseEvent& event) {
+  const QPointF mouse = event.position();
   const PointedAt at = view_.pointAt(mouse);
+  Q_EMIT pointed(at);
+  if (tool_ != nullptr) {
+    tool_->hover(at, mouse, event.modifiers());
+    return;
+  }
+  const GizmoPart part = view_.gizmoPartAt(mouse);
   view_.setGizmoHighlight(part);
   view_.setHovered(part == GizmoPart::none ? at.luminaire : std::string());
   const bool hand = part != GizmoPart::none || !at.luminaire.empty();
   view_.setCursor(hand ? Qt::PointingHandCursor : Qt::ArrowCursor);
-  Q_EMIT pointed(at);
+}
+
+void ViewInput::moveCamera(const QPointF& delta) {
+  ViewCamera camera = view_.viewCamera();
+  if (mode_ == Mode::orbit) {
+    camera.orbit(pivot_, -delta.x() * kRadiansPerPixel, -delta.y() * kRadiansPerPixel);
+  } else if (mode_ == Mode::look) {
+    camera.look(-delta.x() * kLookPerPixel, -delta.y() * kLookPerPixel);
+  } else {
+    camera.pan(pixel(delta), glm::dot(pivot_ - camera.position, camera.forward), view_.viewSize());
+  }
+  view_.setViewCamera(camera);
 }
 
 bool ViewInput::move(const QMouseEvent& event) {
   const QPointF now = event.position();
-  const QPointF delta = now - last_;
   if (mode_ == Mode::none) {
-    hover(now);
+    hover(event);
     return true;
   }
   if (mode_ == Mode::pressed) {
     if ((now - start_).manhattanLength() < QApplication::startDragDistance()) return true;
     beginPressed(event);
   }
-  last_ = now;
-  ViewCamera camera = view_.viewCamera();
+  const QPointF delta = now - std::exchange(last_, now);
   switch (mode_) {
     case Mode::drag:
-      dragTo(now, (event.modifiers() & Qt::ControlModifier) != 0);
-      return true;
-    case Mode::orbit:
-      camera.orbit(pivot_, -delta.x() * kRadiansPerPixel, -delta.y() * kRadiansPerPixel);
+      drag_->moveTo(now, event.modifiers());
       break;
-    case Mode::look:
-      camera.look(-delta.x() * kLookPerPixel, -delta.y() * kLookPerPixel);
+    case Mode::tool:
+      tool_->dragTo(now);
       break;
-    case Mode::pan:
-      camera.pan(pixel(delta), glm::dot(pivot_ - camera.position, camera.forward),
-                 view_.viewSize());
+    case Mode::band:
+      overlay_->setBand(QRectF(start_, now).normalized());
       break;
     default:
-      return true;
+      moveCamera(delta);
+      overlay_->update();
   }
-  view_.setViewCamera(camera);
   return true;
 }
 
 void ViewInput::endMode() {
   mode_ = Mode::none;
-  gizmo_.reset();
+  drag_.reset();
+  overlay_->setBand(std::nullopt);
   view_.setMoving(false);
+}
+
+/// Shift adds what the band touches, Control changes over.
+void ViewInput::endBand(const QMouseEvent& event) {
+  QStringList names = document_->selection();
+  const bool toggle = (event.modifiers() & Qt::ControlModifier) != 0;
+  for (const QString& name : view_.luminairesIn(QRectF(start_, event.position()).normalized())) {
+    if (!names.contains(name)) {
+      names.append(name);
+    } else if (toggle) {
+      names.removeAll(name);
+    }
+  }
+  document_->setSelection(names);
+}
+
+void ViewInput::click(const QMouseEvent& event) {
+  if (tool_ != nullptr) {
+    tool_->click(pressed_, event.position(), event.modifiers());
+    return;
+  }
+  // A click takes the luminaire behind the gizmo; only a drag is the gizmo's.
+  if (pressed_part_ != GizmoPart::none && pressed_.luminaire.empty()) return;
+  const bool add = (event.modifiers() & kAdding) != 0;
+  if (!add || !pressed_.luminaire.empty()) select(pressed_.luminaire, add);
+  if (pressed_.luminaire.empty() && pressed_.surface) Q_EMIT surfaceClicked(*pressed_.surface);
 }
 
 bool ViewInput::release(const QMouseEvent& event) {
   if (event.buttons() != Qt::NoButton) return true;
   const Mode ended = mode_;
-  endMode();
-  if (document_ == nullptr) return true;
-  if (ended == Mode::pressed && pressed_part_ == GizmoPart::none) {
-    select(pressed_.luminaire, (event.modifiers() & Qt::ControlModifier) != 0);
-  } else if (ended == Mode::drag) {
-    const QStringList names = document_->selection();
-    document_->commitPreview(
-        names.size() == 1 ? tr("Move %1").arg(names.front())
-                          : tr("Move %n luminaires", nullptr, static_cast<int>(names.size())));
+  if (document_ == nullptr) {
+    endMode();
+    return true;
   }
-  hover(event.position());
+  if (ended == Mode::pressed) click(event);
+  if (ended == Mode::band) endBand(event);
+  if (ended == Mode::drag) drag_->commit();
+  if (ended == Mode::tool && tool_ != nullptr) tool_->letGo();
+  endMode();
+  hover(event);
+  return true;
+}
+
+bool ViewInput::doubleClick(const QMouseEvent& event) {
+  if (tool_ != nullptr) {
+    tool_->doubleClick();
+    return true;
+  }
+  const PointedAt at = view_.pointAt(event.position());
+  if (!at.luminaire.empty()) {
+    Q_EMIT editRequested();
+  } else if (at.surface) {
+    Q_EMIT surfaceDoubleClicked(*at.surface);
+  }
   return true;
 }
 
 bool ViewInput::wheel(const QWheelEvent& event) {
-  if (document_ == nullptr) return true;
+  if (document_ == nullptr || mode_ == Mode::drag) return true;
   const PointedAt at = view_.pointAt(event.position());
   ViewCamera camera = view_.viewCamera();
   const dvec3 target =
@@ -209,18 +306,56 @@ bool ViewInput::wheel(const QWheelEvent& event) {
   wheel_rest_.start();
   camera.approach(target, std::pow(kStepsPerNotch, notches));
   view_.setViewCamera(camera);
+  overlay_->update();
   return true;
 }
 
-bool ViewInput::key(const QKeyEvent& event) {
-  if (event.key() != Qt::Key_Escape || document_ == nullptr) return false;
-  if (mode_ == Mode::drag) {
-    endMode();
-    document_->cancelPreview();
-  } else {
-    document_->setSelection({});
+/// A kind of luminaire from the library: placed where it is let go.
+bool ViewInput::drop(QDropEvent& event, QEvent::Type what) {
+  const LuminaireType* type = typeOf(event.mimeData());
+  if (type == nullptr || document_ == nullptr) return false;
+  event.acceptProposedAction();
+  if (what == QEvent::DragEnter) {
+    setTool(std::make_unique<Placing>(*document_, view_, *type, rules_));
+  } else if (tool_ != nullptr) {
+    const PointedAt at = view_.pointAt(event.position());
+    const Qt::KeyboardModifiers free = event.modifiers() & Qt::AltModifier;
+    if (what == QEvent::Drop) {
+      tool_->click(at, event.position(), free);
+    } else {
+      tool_->hover(at, event.position(), free);
+    }
   }
   return true;
+}
+
+bool ViewInput::wantsKey(const QKeyEvent& event) const {
+  if (mode_ == Mode::drag) return true;
+  if (tool_ == nullptr) return false;
+  return event.key() == Qt::Key_Escape || event.key() == Qt::Key_Return ||
+         event.key() == Qt::Key_Enter || event.key() == Qt::Key_Backspace || tool_->wantsKey(event);
+}
+
+bool ViewInput::key(const QKeyEvent& event) {
+  if (document_ == nullptr) return false;
+  const bool enter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
+  if (event.key() == Qt::Key_Escape) {
+    if (mode_ == Mode::drag || mode_ == Mode::band) {
+      endMode();
+    } else if (tool_ != nullptr) {
+      setTool(nullptr);
+    } else {
+      document_->setSelection({});
+    }
+    return true;
+  }
+  if (mode_ == Mode::drag) {
+    if (!enter) return drag_->key(event);
+    drag_->commit();
+    endMode();
+    return true;
+  }
+  return tool_ != nullptr && tool_->key(event);
 }
 
 }  // namespace soffit::ui

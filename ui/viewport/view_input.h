@@ -2,14 +2,19 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/viewport/drag_session.h"
 #include "ui/viewport/scene_view.h"
+#include "ui/viewport/view_overlay.h"
+#include "ui/viewport/view_tool.h"
 
-#include <QElapsedTimer>
+#include <QEvent>
 #include <QObject>
 #include <QPointF>
 
+#include <memory>
 #include <optional>
 
+class QDropEvent;
 class QMouseEvent;
 class QWheelEvent;
 class QKeyEvent;
@@ -19,15 +24,25 @@ namespace soffit::ui {
 /// What mouse and keys do in a view.
 ///
 /// Left: select; drag a luminaire (along the plane it hangs in) or the gizmo; drag elsewhere to
-/// orbit about the point under the mouse. Middle, or Shift and left: pan. Right: look round. Wheel:
-/// toward the point under the mouse. Control while dragging: steps of 0.1 m. Escape: back.
+/// orbit about the point under the mouse. Shift, Control and a click: add and remove; and a drag
+/// from an empty place: a rubber band. Shift and a drag of a luminaire: a copy. Middle, or Shift
+/// and right: pan. Right: look round. Wheel: toward the point under the mouse. While dragging:
+/// Control for whole steps, Alt free of snapping, X, Y, Z and numbers (DragSession). Escape: back.
 class ViewInput : public QObject {
   Q_OBJECT
 
  public:
-  /// Both must outlive this. document may be null until setDocument().
+  /// The view must outlive this. document may be null until setDocument().
   explicit ViewInput(SceneView& view, QObject* parent = nullptr);
-  void setDocument(Document* document) { document_ = document; }
+  ~ViewInput() override;
+  void setDocument(Document* document);
+
+  void setGizmoTool(GizmoTool tool);
+  [[nodiscard]] SnapRules& snapRules() { return rules_; }
+  /// Clicks belong to a tool until it is finished, given up, or another comes.
+  void setTool(std::unique_ptr<ViewTool> tool);
+  [[nodiscard]] ViewTool* tool() { return tool_.get(); }
+  [[nodiscard]] ViewOverlay& overlay() { return *overlay_; }
 
  Q_SIGNALS:
   /// What the mouse points at, at each move.
@@ -35,24 +50,36 @@ class ViewInput : public QObject {
   void left();
   /// A luminaire was double-clicked.
   void editRequested();
+  /// A surface was clicked, not a luminaire.
+  void surfaceClicked(const SurfaceReading& surface);
+  void surfaceDoubleClicked(const SurfaceReading& surface);
+  void gizmoToolChanged(GizmoTool tool);
+  /// What the tool asks for; empty: none is at work.
+  void hintChanged(const QString& hint);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  enum class Mode { none, pressed, orbit, pan, look, drag };
+  enum class Mode { none, pressed, orbit, pan, look, drag, band, tool };
   bool press(const QMouseEvent& event);
   bool move(const QMouseEvent& event);
   bool release(const QMouseEvent& event);
+  bool doubleClick(const QMouseEvent& event);
   bool wheel(const QWheelEvent& event);
   bool key(const QKeyEvent& event);
+  bool drop(QDropEvent& event, QEvent::Type what);
+  bool wantsKey(const QKeyEvent& event) const;
+  void click(const QMouseEvent& event);
   void select(const std::string& name, bool add);
   void beginPressed(const QMouseEvent& event);
-  void hover(const QPointF& mouse);
-  void dragTo(const QPointF& mouse, bool stepped);
+  void endBand(const QMouseEvent& event);
+  void moveCamera(const QPointF& delta);
+  void hover(const QMouseEvent& event);
   void endMode();
 
   SceneView& view_;
+  ViewOverlay* overlay_;
   Document* document_ = nullptr;
   Mode mode_ = Mode::none;
   QPointF start_;
@@ -60,8 +87,9 @@ class ViewInput : public QObject {
   PointedAt pressed_;
   GizmoPart pressed_part_ = GizmoPart::none;
   dvec3 pivot_{0.0};
-  std::optional<Gizmo> gizmo_;
-  dvec3 gizmo_start_{0.0};
+  SnapRules rules_;
+  std::unique_ptr<DragSession> drag_;
+  std::unique_ptr<ViewTool> tool_;
   QTimer wheel_rest_;
 };
 

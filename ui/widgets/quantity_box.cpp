@@ -29,6 +29,10 @@ void QuantityBox::setSteps(double single, int decimals) {
   decimals_ = decimals;
 }
 
+void QuantityBox::setEmptyText(const QString& text) {
+  lineEdit()->setPlaceholderText(text);
+}
+
 void QuantityBox::setValue(std::optional<double> value) {
   if (lineEdit()->isModified() && hasFocus() && value == value_) return;
   value_ = value;

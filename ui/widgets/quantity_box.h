@@ -23,6 +23,8 @@ class QuantityBox : public QAbstractSpinBox {
   void setSteps(double single, int decimals);
   /// Shows a value; nothing: "mixed". Sends no signal.
   void setValue(std::optional<double> value);
+  /// What an empty box says; "mixed" unless told otherwise.
+  void setEmptyText(const QString& text);
   [[nodiscard]] std::optional<double> value() const { return value_; }
 
   void stepBy(int steps) override;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "ui/widgets/theme.h"
 
+#include "ui/widgets/theme_style.h"
+
 #include <QApplication>
 #include <QPalette>
 #include <QSettings>
-#include <QStyleFactory>
 
 namespace soffit::ui {
 namespace {
@@ -90,7 +91,7 @@ bool systemIsDark() {
 void applyTheme(Theme theme) {
   const bool dark = theme == Theme::dark || (theme == Theme::system && systemIsDark());
   const Tones tones = tonesOf(dark);
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new ThemeStyle);
   QApplication::setPalette(paletteOf(tones));
   qApp->setStyleSheet(sheetOf(tones));
 }

@@ -57,6 +57,9 @@ scene::Layout readLayout(const Json& value, const std::string& path, Report& rep
   layout.name = readName(value, path, report);
   ObjectReader reader(value, path, report);
   reader.get("name");
+  if (const Json* scenes = reader.get("scenes")) {
+    (void)readLightScenes(*scenes, reader.pathOf("scenes"), report);
+  }
   const Json* luminaires = reader.get("luminaires");
   if (luminaires == nullptr) return layout;
   const JsonObject* edits = luminaires->asObject();
@@ -115,6 +118,7 @@ ProjectContent readContent(const Json& root, Report& report) {
     content.geometry.push_back(readGeometryEntry(value, path, report));
   });
   readMaterials(reader, report, content);
+  if (const Json* scenes = reader.get("scenes")) (void)readLightScenes(*scenes, "scenes", report);
   readList(reader, "luminaires", report, [&](const Json& value, const std::string& path) {
     content.luminaires.push_back(readBaseLuminaire(value, path, report));
   });

@@ -116,6 +116,7 @@ Result<Project> assemble(Project project, const LoadOptions& options) {
     fault.place = fmt::format("{}: {}", report.file(), fault.place);
     return fault;
   }
+  project.light_scenes = readAllLightScenes(*root);
   project.layout = options.layout;
   project.overridden = !options.layout.empty() || !options.sets.empty();
   project.warnings = withoutRepeats(report.warnings());

@@ -3,6 +3,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/io/project/light_scenes.h"
 #include "core/math/vec.h"
 #include "core/scene/scene.h"
 
@@ -39,8 +40,9 @@ struct Project {
   std::vector<std::string> warnings;
   /// The materials as the geometry files have them, before the project's overrides.
   std::vector<scene::Material> file_materials;
-  std::string layout;       ///< the layout that was applied; empty: the base
-  bool overridden = false;  ///< a layout or --set was applied: such a project cannot be saved
+  LightScenes light_scenes;  ///< presets of the mixer; presets of the base under the empty name
+  std::string layout;        ///< the layout that was applied; empty: the base
+  bool overridden = false;   ///< a layout or --set was applied: such a project cannot be saved
   std::shared_ptr<const ProjectDocument> document;
   std::shared_ptr<AssetCache> assets;
 };

@@ -195,6 +195,7 @@ Result<std::string> formatProject(const Project& project) {
   syncMaterials(project, root);
   syncLuminaires(project.scene, root);
   syncLayouts(project.scene, root);
+  syncLightScenes(project.light_scenes, root);
   syncPlaces(project.scene, root);
   syncView(project.scene, root);
   if (!project.scene.environment) root.erase("environment");

@@ -66,6 +66,42 @@ TEST(Lighting, DimmingAndColourAreAMixWithoutRays) {
   }
 }
 
+TEST(Lighting, ALuminaireThatChangesItsNumberKeepsItsLight) {
+  const auto solver = solverFor(furnishedRoom(), kPaint);
+  auto a = panel({1, 1.5, 2.9});
+  auto b = panel({3, 4, 2.5}, 0.4, 2500);
+  b.casts_shadow = true;
+  Lighting lighting(solver);
+  ASSERT_TRUE(lighting.setLuminaires(std::vector{a, b}).ok());
+  const std::uint64_t before = lighting.counts().points;
+  // Dimming a body is no reason for rays, nor is another order.
+  b.dimming = 0.5;
+  ASSERT_TRUE(lighting.setLuminaires(std::vector{b, a}).ok());
+  EXPECT_EQ(lighting.counts().points, before);
+  Lighting fresh(solver);
+  ASSERT_TRUE(fresh.setLuminaires(std::vector{b, a}).ok());
+  EXPECT_EQ(lighting.total(), fresh.total());
+  // A body that goes changes all shadows.
+  ASSERT_TRUE(lighting.setLuminaires(std::vector{a}).ok());
+  EXPECT_GT(lighting.counts().points, before);
+}
+
+TEST(Lighting, OtherReflectancesKeepTheDirectLight) {
+  const auto solver = solverFor(furnishedRoom(), kPaint);
+  const std::vector luminaires{panel({1, 1.5, 2.9})};
+  Lighting lighting(solver);
+  ASSERT_TRUE(lighting.setLuminaires(luminaires).ok());
+  const std::uint64_t before = lighting.counts().points;
+  std::vector<scene::Material> darker(2);
+  for (scene::Material& m : darker) m.diffuse = dvec3(0.2);
+  const auto painted = solver->repainted(darker);
+  ASSERT_TRUE(lighting.repaint(painted).ok());
+  EXPECT_EQ(lighting.counts().points, before);
+  Lighting fresh(painted);
+  ASSERT_TRUE(fresh.setLuminaires(luminaires).ok());
+  EXPECT_EQ(lighting.total(), fresh.total());
+}
+
 TEST(Lighting, MovingLeadsToTheSameLightAsStartingThere) {
   const auto solver = solverFor(furnishedRoom(), kPaint);
   Lighting moving(solver);

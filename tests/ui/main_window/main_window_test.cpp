@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "ui/main_window/main_window.h"
 
+#include "core/io/image/read_image.h"
+#include "ui/actions/file_dialogs.h"
+#include "ui/document/material_edits.h"
+#include "ui/document/mixing.h"
 #include "ui/document/recent_files.h"
+#include "ui/panels/array_bar.h"
 #include "ui/widgets/theme.h"
 
 #include <QAbstractButton>
@@ -52,6 +57,7 @@ class MainWindowTest : public QObject {
     window_ = std::make_unique<MainWindow>();
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    QApplication::setActiveWindow(window_.get());  // no window manager does; shortcuts want it
     window_->open(project_);
     QTRY_VERIFY_WITH_TIMEOUT(window_->session() != nullptr, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(lit(), kPatienceMs);
@@ -137,6 +143,61 @@ class MainWindowTest : public QObject {
     QVERIFY(window_->session() == nullptr);
   }
 
+  void scenesAreStoredAndRecalledByTheirKeys() {
+    trigger(QStringLiteral("Store scene 1"));
+    const QString group = groupsOf(document()).front().name;
+    setGroupLevel(document(), group, 0.25);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->session()->relighting().isCurrent(), kPatienceMs);
+    const double dimmed = meanLux();
+    QTest::keyClick(&window_->workspace().area->view(), Qt::Key_1);
+    QCOMPARE(document().luminaires().front().dimming, 1.0);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->session()->relighting().isCurrent(), kPatienceMs);
+    QVERIFY(std::abs(meanLux() / dimmed - 4.0) < 1e-3);  // single precision over all texels
+  }
+
+  void aReflectanceFollowsWithoutABake() {
+    const auto before = window_->session()->relighting().frame();
+    const double lux = meanLux();
+    for (const scene::Material& m : std::vector(document().scene()->materials)) {
+      editMaterial(document(), QStringLiteral("Change reflectance"), m.name,
+                   [](const scene::Material& x) { return withReflectance(x, 0.1); });
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(window_->session()->relighting().isCurrent(), kPatienceMs);
+    const auto after = window_->session()->relighting().frame();
+    QCOMPARE(&after->solver->operators(), &before->solver->operators());
+    QVERIFY(meanLux() < 0.9 * lux);
+    document().undoStack()->undo();
+  }
+
+  void keysChooseTheGizmosTool() {
+    SceneView& view = window_->workspace().area->view();
+    QTest::keyClick(&view, Qt::Key_E);
+    QCOMPARE(view.gizmoTool(), GizmoTool::rotate);
+    QTest::keyClick(&view, Qt::Key_W);
+    QCOMPARE(view.gizmoTool(), GizmoTool::move);
+  }
+
+  void anArrayHasItsNumbersOverTheView() {
+    selectFirst();
+    trigger(QStringLiteral("&Rectangle"));
+    auto* bar = window_->workspace().area->findChild<ArrayBar*>();
+    QVERIFY(bar != nullptr && bar->isVisible());
+    QVERIFY(document().previewing());
+    QTest::keyClick(&window_->workspace().area->view(), Qt::Key_Escape);
+    QVERIFY(!document().previewing());
+    QTRY_VERIFY(window_->workspace().area->findChild<ArrayBar*>() == nullptr);
+    QCOMPARE(document().undoStack()->count(), 0);
+  }
+
+  void aClickOnASurfaceChoosesItsMaterial() {
+    SceneView& view = window_->workspace().area->view();
+    const QPoint at(view.width() / 2, view.height() - 20);
+    const auto pointed = view.pointAt(at);
+    QVERIFY(pointed.surface.has_value() && pointed.luminaire.empty());
+    QTest::mouseClick(&view, Qt::LeftButton, {}, at);
+    QCOMPARE(window_->workspace().materials->chosen().toStdString(), pointed.surface->material);
+  }
+
   void bothThemesCanBeWorn() {
     applyTheme(Theme::dark);
     QVERIFY(QApplication::palette().color(QPalette::Window).lightness() < 128);
@@ -150,6 +211,12 @@ class MainWindowTest : public QObject {
     return window_->session() != nullptr && window_->session()->relighting().isCurrent() &&
            window_->workspace().area->view().frame() != nullptr &&
            !window_->workspace().area->view().readLinear().empty();
+  }
+  double meanLux() {
+    const auto& lux = window_->session()->relighting().frame()->lux[1];
+    double sum = 0.0;
+    for (const float e : lux) sum += static_cast<double>(e);
+    return sum / static_cast<double>(lux.size());
   }
   void selectFirst() {
     document().setSelection({QString::fromStdString(document().luminaires().front().name)});

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ui/viewport/scene_view.h"
 
-#include "core/io/project/project.h"
-#include "core/relight/engine.h"
-#include "ui/document/document.h"
+#include "tests/ui/viewport/cornell_view.h"
 #include "ui/viewport/picture_pass.h"
-#include "ui/viewport/view_input.h"
 
 #include <QMainWindow>
 #include <QSignalSpy>
@@ -13,28 +10,6 @@
 #include <QTest>
 
 namespace soffit::ui {
-
-/// The Cornell-like sample with few texels and its light.
-struct Lit {
-  io::Project project;
-  LightFramePtr frame;
-};
-
-Lit lightCornell() {
-  auto project = io::loadProject(SOFFIT_SOURCE_DIR "/projects/cornell");
-  project->scene.quality.settings = {{"texels", 1500},  {"trainings", 8}, {"field_rays", 8},
-                                     {"list_rays", 16}, {"node_rays", 4}, {"max_rank", 8}};
-  relight::EngineReport report;
-  const auto quality = relight::qualitySettings(project->scene.quality);
-  const auto solver = relight::makeSolver(project->scene, *quality, false, {}, report);
-  relight::Lighting lighting(*solver);
-  (void)lighting.setLuminaires(project->scene.luminaires);
-  auto frame = std::make_shared<LightFrame>();
-  frame->solver = *solver;
-  frame->lux = lighting.total();
-  frame->emitters.assign(lighting.emitters().begin(), lighting.emitters().end());
-  return {std::move(*project), std::move(frame)};
-}
 
 class SceneViewTest : public QObject {
   Q_OBJECT
@@ -280,11 +255,7 @@ class SceneViewTest : public QObject {
 }  // namespace soffit::ui
 
 int main(int argc, char** argv) {
-  QSurfaceFormat format;
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
-  format.setDepthBufferSize(0);
-  QSurfaceFormat::setDefaultFormat(format);
+  soffit::ui::wantOpenGl();
   QApplication application(argc, argv);
   soffit::ui::SceneViewTest test;
   return QTest::qExec(&test, argc, argv);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/relight/lighting.h"
+
+#include <string>
+#include <vector>
+
+namespace soffit::ui {
+
+/// The light of luminaires summed by group, so that dimming, switching or colouring a whole group
+/// costs one multiplication per texel however many luminaires it has, and no ray.
+///
+/// Light is linear: while the weights (dimming times colour) of all members of a group change by
+/// one factor per channel, the sum changes by it. Else that group's sum is made anew.
+class GroupSums {
+ public:
+  /// Lux of all luminaires; names of their groups in the order of `lighting`'s emitters.
+  /// changed: luminaires whose light itself is another since the last call (moved, reshaped).
+  relight::Planes total(const relight::Lighting& lighting, const std::vector<std::string>& groups,
+                        const std::vector<bool>& changed);
+  void clear() { sums_.clear(); }
+  /// Luminaires that the last total() had to add up one by one.
+  [[nodiscard]] std::size_t addedLast() const { return added_; }
+
+ private:
+  struct Sum {
+    std::string group;
+    std::vector<std::size_t> members;
+    std::vector<dvec3> weights;  ///< with which the planes were made
+    relight::Planes planes;
+  };
+  void make(Sum& sum, const relight::Lighting& lighting);
+
+  std::vector<Sum> sums_;
+  std::size_t added_ = 0;
+};
+
+}  // namespace soffit::ui
