@@ -3,6 +3,7 @@
 
 #include "core/base/parallel.h"
 #include "core/math/rng.h"
+#include "core/transfer/balance.h"
 #include "core/transfer/hemisphere.h"
 #include "core/transfer/kernels.h"
 
@@ -318,36 +319,6 @@ void countUnheard(Operators& operators) {
       }
     });
   }
-}
-
-/// Half of the quotients differ from 1 by less than this.
-double usualDeviation(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) {
-  std::vector<double> apart;
-  for (Eigen::Index t = 0; t < a.size(); ++t) {
-    if (a(t) > 0.0 && b(t) > 0.0) apart.push_back(std::abs(a(t) / b(t) - 1.0));
-  }
-  if (apart.empty()) return 0.0;
-  const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
-  std::nth_element(apart.begin(), middle, apart.end());
-  return *middle;
-}
-
-/// See Operators::conserve. `gathered` and `interpolated`: what arrives of each field, by all
-/// points' own rays and by lists and weights.
-float trustInConservation(const TrainingFields& fields, const Eigen::RowVectorXd& gathered,
-                          const Eigen::RowVectorXd& interpolated, const Operators& operators) {
-  const auto count = static_cast<std::size_t>(fields.count);
-  Eigen::RowVectorXd sent = Eigen::RowVectorXd::Zero(fields.count);
-  for (std::size_t s = 0; s < operators.sends.size(); ++s) {
-    for (std::size_t t = 0; t < count; ++t) {
-      sent(static_cast<Eigen::Index>(t)) +=
-          static_cast<double>(operators.sends[s]) * static_cast<double>(fields.value[s * count + t]);
-    }
-  }
-  const double quadrature = usualDeviation(sent, gathered);
-  const double interpolation = usualDeviation(interpolated, gathered);
-  const double both = quadrature * quadrature + interpolation * interpolation;
-  return both > 0.0 ? static_cast<float>(interpolation * interpolation / both) : 1.0F;
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ui/actions/recovery_dialog.h"
 
+#include "ui/document/state_folder.h"
+
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QLabel>
@@ -63,6 +65,7 @@ void RecoveryDialog::discardChosen() {
   const int row = list_->currentRow();
   if (row < 0) return;
   discardRecovery(recoveries_[row].id);
+  removeUntitledProject(recoveries_[row].path);
   recoveries_.removeAt(row);
   delete list_->takeItem(row);
   if (recoveries_.isEmpty()) reject();

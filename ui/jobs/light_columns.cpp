@@ -4,6 +4,7 @@
 #include "core/scene/equality.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace soffit::ui {
@@ -40,7 +41,11 @@ LightColumns::Entry& LightColumns::entryOf(const std::string& layout) {
     entries_.splice(entries_.begin(), entries_, found);
   } else {
     entries_.push_front({layout, std::make_unique<relight::Lighting>(solver_), {}, {}});
-    if (entries_.size() > kMostLayouts) entries_.pop_back();
+    if (entries_.size() > kMostLayouts) {
+      auto oldest = std::prev(entries_.end());
+      if (oldest->layout == kept_) --oldest;
+      entries_.erase(oldest);
+    }
   }
   return entries_.front();
 }

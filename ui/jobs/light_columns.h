@@ -25,6 +25,9 @@ class LightColumns {
   void setSolver(std::shared_ptr<const relight::Solver> solver);
   [[nodiscard]] const std::shared_ptr<const relight::Solver>& solver() const { return solver_; }
 
+  /// The layout whose light is never dropped for that of another: the one in the view.
+  void keep(const std::string& layout) { kept_ = layout; }
+
   /// Total light of a layout's luminaires. in_hand: the one that is being dragged; as long as it
   /// stays the same and nothing else changes, a call costs one move.
   /// Errors: makeEmitter's; cancelled (what was computed until then is kept).
@@ -52,6 +55,7 @@ class LightColumns {
   Result<void> take(Entry& entry, const std::vector<light::Luminaire>& luminaires, const Job& job);
 
   std::shared_ptr<const relight::Solver> solver_;
+  std::string kept_;
   std::list<Entry> entries_;  ///< the layout used last in front
 };
 

@@ -181,6 +181,7 @@ void RelightWorker::serve(const LightRequest& request, const std::stop_token& st
   has_solver_ = columns_.solver() != nullptr;
   if (!has_solver_) return;  // its arrival wakes this thread
   ensureMaterials(request);
+  columns_.keep(request.layout);
   if (LightFramePtr frame = lightOf(request, stop)) publish(std::move(frame));
 }
 

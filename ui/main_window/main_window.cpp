@@ -93,9 +93,10 @@ void MainWindow::showWorkspace(bool shown) {
 
 void MainWindow::openVersion(const QString& path, const std::optional<std::string>& text) {
   if (!closeProject()) {
-    removeUntitledProject(path);
+    if (!text) removeUntitledProject(path);  // a new one; a recovered one stays
     return;
   }
+  if (!text) files_.forgetRecovery();
   load_ = std::make_unique<LoadJob>(path, text);
   connect(load_.get(), &LoadJob::progressed, workspace_.status, &StatusLine::showProgress);
   connect(load_.get(), &LoadJob::loaded, this, &MainWindow::finishOpening);

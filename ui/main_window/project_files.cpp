@@ -7,7 +7,6 @@
 #include "ui/actions/recovery_dialog.h"
 #include "ui/document/state_folder.h"
 #include "ui/document/text.h"
-#include "ui/jobs/recovery.h"
 
 #include <QFileInfo>
 #include <QMimeData>
@@ -114,7 +113,7 @@ void ProjectFiles::offerRecovery() {
   const Recovery chosen = dialog.chosen();
   const QByteArray text = recoveredText(chosen.id);
   if (chosen.path.isEmpty() || text.isEmpty()) return;
-  recovered_ = chosen.id;
+  opening_ = chosen;
   Q_EMIT openRequested(chosen.path, text.toStdString());
 }
 
@@ -128,6 +127,9 @@ void ProjectFiles::begin(ProjectSession& session) {
     return workspace_.area->view().take(shot).image;
   });
   connect(autosave_.get(), &Autosave::failed, workspace_.log, &LogPanel::addWarning);
+  // Another project may have been opened in its place, when it could not be.
+  const Recovery opening = std::exchange(opening_, {});
+  recovered_ = opening.path == session.document().path() ? opening.id : QString();
   if (recovered_.isEmpty()) return;
   // The old version goes once the new one is on the disk.
   connect(autosave_.get(), &Autosave::kept, this, [this] {

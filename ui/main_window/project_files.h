@@ -5,6 +5,7 @@
 #include "ui/jobs/autosave.h"
 #include "ui/jobs/background.h"
 #include "ui/jobs/progress_relay.h"
+#include "ui/jobs/recovery.h"
 #include "ui/main_window/project_session.h"
 
 #include <QObject>
@@ -39,6 +40,9 @@ class ProjectFiles : public QObject {
   /// Offers what an earlier run left, if anything.
   void offerRecovery();
 
+  /// What is being opened is the file itself, not a version of it.
+  void forgetRecovery() { opening_ = {}; }
+
   /// A session began: its changes are kept from now on.
   void begin(ProjectSession& session);
   /// It is about to end with nothing left to save.
@@ -61,7 +65,8 @@ class ProjectFiles : public QObject {
   Workspace& workspace_;
   ProjectSession* session_ = nullptr;
   std::unique_ptr<Autosave> autosave_;
-  QString recovered_;  ///< version that is being opened
+  Recovery opening_;   ///< version that is being opened
+  QString recovered_;  ///< version that the session came from, while it is the only one
   std::stop_source stop_;
   ProgressRelay relay_;
   Background background_;

@@ -32,7 +32,16 @@ class PictureExportTest : public QObject {
     write(path, view.pixelSize());
     QImage read = QImage(path).convertToFormat(QImage::Format_RGB888);
     read.setColorSpace({});  // the file says sRGB, a picture of the view says nothing
-    QCOMPARE(read, shown);
+    QCOMPARE(read.size(), shown.size());
+    // A view that stays is shaded from what it sees, another one triangle by triangle: rounding.
+    int most = 0;
+    for (int y = 0; y < read.height(); ++y) {
+      for (int i = 0; i < 3 * read.width(); ++i) {
+        most = std::max(most,
+                        std::abs(int{read.constScanLine(y)[i]} - int{shown.constScanLine(y)[i]}));
+      }
+    }
+    QVERIFY2(most <= 1, qPrintable(QString::number(most)));
     const auto facts = io::readMetadata(path.toStdString());
     QVERIFY(facts.ok());
     QVERIFY(std::ranges::find(*facts, std::pair(std::string("Layout"), std::string("Classic"))) !=
