@@ -92,7 +92,10 @@ void Document::setSoloGroups(const QStringList& groups) {
 
 std::vector<light::Luminaire> Document::litLuminaires() const {
   std::vector<light::Luminaire> lit = luminaires_;
-  if (solo_.isEmpty()) return lit;
+  // A group that this layout lacks, or that was renamed, silences nobody.
+  const bool heard = std::ranges::any_of(
+      lit, [this](const light::Luminaire& l) { return solo_.contains(toQt(l.group)); });
+  if (!heard) return lit;
   for (light::Luminaire& l : lit) l.on = l.on && solo_.contains(toQt(l.group));
   return lit;
 }

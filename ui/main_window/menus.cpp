@@ -19,8 +19,7 @@ constexpr double kPlanFovDeg = 25.0;  // narrow: a plan has little perspective
 
 void showPlan(SceneView& view) {
   const dvec3 middle = view.origin() + dvec3(view.bounds().center());
-  view.setViewCamera(
-      ViewCamera::from({"", middle + dvec3(0.0, 0.0, 10.0), middle, kPlanFovDeg}));
+  view.setViewCamera(ViewCamera::from({"", middle + dvec3(0.0, 0.0, 10.0), middle, kPlanFovDeg}));
   view.frameAll();
 }
 
@@ -104,6 +103,7 @@ void MainWindow::makeOtherMenus() {
            "<tr><td>V</td><td>next layout</td></tr>"
            "<tr><td>O</td><td>switch on or off</td></tr>"
            "<tr><td>A</td><td>aim at a point</td></tr>"
+           "<tr><td>1 to 9, Ctrl+1 to 9</td><td>recall, store a light scene</td></tr>"
            "<tr><td>H, Shift+H, Ctrl+H</td><td>hide, hide others, show all</td></tr>"
            "<tr><td>Home, period</td><td>frame all, frame the selection</td></tr>"
            "<tr><td>Ctrl+Up, Ctrl+Down</td><td>exposure by a quarter stop</td></tr></table>"));

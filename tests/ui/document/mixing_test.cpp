@@ -66,6 +66,8 @@ class MixingTest : public QObject {
     QVERIFY(document.litLuminaires()[2].on);
     QVERIFY(document.luminaires()[0].on);
     QCOMPARE(document.undoStack()->count(), 0);
+    document.setSoloGroups({QStringLiteral("Gone")});
+    QVERIFY(document.litLuminaires()[0].on);
     document.setSoloGroups({});
     QVERIFY(document.litLuminaires()[0].on);
   }

@@ -150,8 +150,7 @@ class LuminaireEditingTest : public QObject {
 
   void aPanelIsFoundFromAbove() {
     const dvec3 place = v_->first().position;
-    v_->view->setViewCamera(
-        ViewCamera::from({"", place + dvec3(0, 0, 4), place, 40.0}));
+    v_->view->setViewCamera(ViewCamera::from({"", place + dvec3(0, 0, 4), place, 40.0}));
     QTest::mouseClick(v_->view.get(), Qt::LeftButton, {}, v_->pixelOf(place));
     QCOMPARE(v_->document->selection(), QStringList{v_->firstName()});
   }
