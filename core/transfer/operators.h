@@ -22,7 +22,7 @@ struct BakeSettings {
   int texels = 52000;           ///< wished number of source texels
   double whole_cells = 0.6;     ///< of these, the share that even cells would take: the others come from splitting
   double least_cell = 0.03;     ///< m, no smaller base cells than this, or 1/200 of the scene where that is less
-  double most_cell = 0.2;       ///< m: where cells would be larger, up to four times as many texels
+  double most_cell = 1e3;       ///< m: where cells would be larger, up to four times as many texels
   std::uint32_t patch = 128;    ///< texels per node patch
   int node_rays = 8;            ///< squared: rays per texel for the node matrix
   int trainings = 96;           ///< training lights
