@@ -132,7 +132,10 @@ void Document::editLayouts(const QString& text, scene::Scene next, const QString
   if (!scene::diff(*scene_, *after).any()) return;
   auto* command = new SceneCommand(
       text, scene_, std::move(after), layout_, -1,
-      [this](const ScenePtr& scene, const QString& layout) { show(scene, layout); });
+      [this](const ScenePtr& scene, const QString& layout) {
+        before_preview_ = nullptr;  // undone or redone beneath a preview: that is given up
+        show(scene, layout);
+      });
   command->setLayoutAfter(layout_after);
   undo_stack_.push(command);
 }
@@ -174,6 +177,7 @@ void Document::cancelPreview() {
 io::Project Document::current() const {
   io::Project project = project_;
   project.scene = before_preview_ == nullptr ? *scene_ : *before_preview_;
+  project.pending_files = pending_files_.files();
   return project;
 }
 

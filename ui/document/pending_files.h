@@ -23,6 +23,7 @@ class PendingFiles {
   /// has that name. The same bytes get the same name.
   std::string add(const std::string& wanted, std::string bytes,
                   const std::filesystem::path& folder);
+  [[nodiscard]] const std::map<std::string, std::string>& files() const { return files_; }
   [[nodiscard]] bool holds(const std::string& name) const { return files_.contains(name); }
   /// Writes what the scene names and the folder lacks. Errors: the disk.
   [[nodiscard]] Result<void> write(const scene::Scene& scene,

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -80,13 +81,20 @@ std::string tiltFileOf(const std::string& text) {
 
 Result<void> takeNamed(const Project& project, const NamedFiles& named, CompanionFiles& files) {
   const fs::path folder = folderOf(project.path);
+  const auto takePending = [&](const std::string& name) {
+    const auto pending = project.pending_files.find(name);
+    if (pending == project.pending_files.end()) return false;
+    files[fs::path(name).lexically_normal().generic_string()] = pending->second;
+    return true;
+  };
   for (const NamedModel& name : named.models) {
+    if (takePending(name.file)) continue;
     const auto model = project.assets->model(name.file, name.unit, name.up);
     if (!model) return model.error();
     if (auto taken = takeModel(folder / name.file, **model, folder, files); !taken) return taken;
   }
   for (const std::string& name : named.photometry) {
-    if (name.empty()) continue;
+    if (name.empty() || takePending(name)) continue;
     if (auto taken = takeFile(folder / name, folder, files); !taken) return taken;
     const auto text = files.find(fs::path(name).lexically_normal().generic_string());
     const std::string tilt = text == files.end() ? std::string() : tiltFileOf(text->second);
@@ -99,6 +107,20 @@ Result<void> takeNamed(const Project& project, const NamedFiles& named, Companio
     if (auto taken = takeFileIfThere(folder / name, folder, files); !taken) return taken;
   }
   return {};
+}
+
+/// What the scene names of the pending files, beside the project.
+Result<void> writePending(const Project& project) {
+  const NamedFiles named = filesOf(project);
+  CompanionFiles files;
+  for (const auto& [name, content] : project.pending_files) {
+    const bool model =
+        std::ranges::any_of(named.models, [&](const NamedModel& m) { return m.file == name; });
+    if (model || named.photometry.contains(name)) files.emplace(name, content);
+  }
+  const fs::path folder = folderOf(project.path);
+  if (auto fits = dropPresent(folder, files); !fits) return fits;
+  return writeFiles(folder, files);
 }
 
 /// A project without a file yet has no cache of what its files hold.
@@ -133,6 +155,7 @@ Result<Project> saveProjectAs(const Project& project, const fs::path& path) {
   Project moved = project;
   moved.path = path;
   if (sameFolder(project.path, path)) {
+    if (auto written = writePending(project); !written) return written.error();
     if (auto saved = saveProject(moved, path); !saved) return saved.error();
     return moved;
   }

@@ -8,6 +8,7 @@
 #include "core/scene/scene.h"
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -41,8 +42,11 @@ struct Project {
   /// The materials as the geometry files have them, before the project's overrides.
   std::vector<scene::Material> file_materials;
   LightScenes light_scenes;  ///< presets of the mixer; presets of the base under the empty name
-  std::string layout;        ///< the layout that was applied; empty: the base
-  bool overridden = false;   ///< a layout or --set was applied: such a project cannot be saved
+  /// Content by name of files that luminaires name and the folder may lack: saveProjectAs() writes
+  /// them beside the project.
+  std::map<std::string, std::string> pending_files;
+  std::string layout;       ///< the layout that was applied; empty: the base
+  bool overridden = false;  ///< a layout or --set was applied: such a project cannot be saved
   std::shared_ptr<const ProjectDocument> document;
   std::shared_ptr<AssetCache> assets;
 };

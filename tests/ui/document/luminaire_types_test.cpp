@@ -3,6 +3,7 @@
 
 #include "core/geometry/shapes.h"
 #include "core/io/model/model_import.h"
+#include "core/io/project/move_project.h"
 #include "core/light/emitter.h"
 #include "core/photometry/beam.h"
 #include "ui/document/document.h"
@@ -80,6 +81,31 @@ class LuminaireTypesTest : public QObject {
     QVERIFY(QFile::exists(folder.filePath(QString::fromStdString(name))));
     QVERIFY(!QFile::exists(folder.filePath(QString::fromStdString(other))));
     const auto again = io::loadProject(document.project().path);
+    QVERIFY2(again.ok(), again.ok() ? "" : again.error().message().c_str());
+    QVERIFY(again->scene.luminaires.front().distribution.table != nullptr);
+  }
+
+  void filesGoWithAProjectThatIsSavedElsewhere() {
+    QTemporaryDir from;
+    QTemporaryDir to;
+    io::Project project;
+    project.scene.mesh = std::make_shared<geometry::Mesh>();
+    const std::string path = from.filePath(QStringLiteral("a.soffit")).toStdString();
+    project.path = path;
+    QVERIFY(io::saveProject(project, path).ok());
+    auto loaded = io::loadProject(path);
+    QVERIFY(loaded.ok());
+    Document document(std::move(*loaded));
+    const LuminaireType spot = builtInTypes()[6];
+    const std::string name = document.addFile(spot.photometry.name, spot.photometry.bytes);
+    QVERIFY(document.hasFile(name));
+    scene::Scene next = *document.scene();
+    next.luminaires.push_back(spot.prototype);
+    document.edit(QStringLiteral("Place"), std::move(next));
+    const auto moved = io::saveProjectAs(document.current(),
+                                         to.filePath(QStringLiteral("b.soffit")).toStdString());
+    QVERIFY2(moved.ok(), moved.ok() ? "" : moved.error().message().c_str());
+    const auto again = io::loadProject(moved->path);
     QVERIFY2(again.ok(), again.ok() ? "" : again.error().message().c_str());
     QVERIFY(again->scene.luminaires.front().distribution.table != nullptr);
   }
