@@ -9,10 +9,10 @@ namespace soffit::transfer {
 namespace {
 
 /// Half of the quotients differ from 1 by less than this.
-double usualDeviation(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) {
+double usualDeviation(std::span<const double> a, std::span<const double> b) {
   std::vector<double> apart;
-  for (Eigen::Index t = 0; t < a.size(); ++t) {
-    if (a(t) > 0.0 && b(t) > 0.0) apart.push_back(std::abs(a(t) / b(t) - 1.0));
+  for (std::size_t t = 0; t < a.size(); ++t) {
+    if (a[t] > 0.0 && b[t] > 0.0) apart.push_back(std::abs(a[t] / b[t] - 1.0));
   }
   if (apart.empty()) return 0.0;
   const auto middle = apart.begin() + static_cast<std::ptrdiff_t>(apart.size() / 2);
@@ -22,14 +22,13 @@ double usualDeviation(const Eigen::RowVectorXd& a, const Eigen::RowVectorXd& b) 
 
 }  // namespace
 
-float trustInConservation(const TrainingFields& fields, const Eigen::RowVectorXd& gathered,
-                          const Eigen::RowVectorXd& interpolated, const Operators& operators) {
+float trustInConservation(const TrainingFields& fields, std::span<const double> gathered,
+                          std::span<const double> interpolated, const Operators& operators) {
   const auto count = static_cast<std::size_t>(fields.count);
-  Eigen::RowVectorXd sent = Eigen::RowVectorXd::Zero(fields.count);
+  std::vector<double> sent(count, 0.0);
   for (std::size_t s = 0; s < operators.sends.size(); ++s) {
     for (std::size_t t = 0; t < count; ++t) {
-      sent(static_cast<Eigen::Index>(t)) +=
-          static_cast<double>(operators.sends[s]) * static_cast<double>(fields.value[s * count + t]);
+      sent[t] += static_cast<double>(operators.sends[s]) * static_cast<double>(fields.value[s * count + t]);
     }
   }
   const double quadrature = usualDeviation(sent, gathered);

@@ -4,7 +4,7 @@
 #include "core/transfer/operators.h"
 #include "core/transfer/training.h"
 
-#include <Eigen/Core>
+#include <span>
 
 namespace soffit::transfer {
 
@@ -12,7 +12,7 @@ namespace soffit::transfer {
 ///
 /// gathered, interpolated  per field: what arrives of it, in lux times m^2, by all points' own rays and
 /// by lists and weights.
-float trustInConservation(const TrainingFields& fields, const Eigen::RowVectorXd& gathered,
-                          const Eigen::RowVectorXd& interpolated, const Operators& operators);
+float trustInConservation(const TrainingFields& fields, std::span<const double> gathered,
+                          std::span<const double> interpolated, const Operators& operators);
 
 }  // namespace soffit::transfer

@@ -373,7 +373,9 @@ std::uint64_t fillSkeletons(const StaticScene& scene, const TrainingFields& fiel
                 static_cast<std::uint64_t>(settings.list_rays * settings.list_rays);
   }
   countUnheard(operators);
-  operators.conserve = trustInConservation(fields, arrived, interpolated, operators);
+  operators.conserve = trustInConservation(
+      fields, {arrived.data(), static_cast<std::size_t>(arrived.size())},
+      {interpolated.data(), static_cast<std::size_t>(interpolated.size())}, operators);
   operators.node_lists = makeNodeLists(operators.lists, operators.nodes);
   return rays;
 }

@@ -27,10 +27,6 @@ QString tr(const char* text) {
 
 /// Written on another thread; the window goes on painting, but takes no input meanwhile.
 bool saveTo(QWidget* parent, Document& document, const QString& path) {
-  if (const auto written = document.writeFiles(); !written) {
-    showError(parent, tr("The project was not saved"), messageOf(written.error()));
-    return false;
-  }
   const io::Project project = document.current();
   std::optional<Result<io::Project>> saved;
   QEventLoop loop;
