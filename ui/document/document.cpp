@@ -226,19 +226,4 @@ Result<void> Document::writeFiles() const {
   return pending_files_.write(*scene, project_.path.parent_path());
 }
 
-Result<void> Document::save(const std::filesystem::path& file) {
-  cancelPreview();
-  project_.scene = *scene_;
-  if (auto written = pending_files_.write(*scene_, file.parent_path()); !written) {
-    return written.error();
-  }
-  const auto saved = io::saveProject(project_, file);
-  if (!saved) return saved.error();
-  const bool moved = file != project_.path;
-  project_.path = file;
-  undo_stack_.setClean();
-  if (moved) Q_EMIT pathChanged();
-  return {};
-}
-
 }  // namespace soffit::ui

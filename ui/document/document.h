@@ -98,10 +98,6 @@ class Document : public QObject {
   /// that reads or copies what the project names. Errors: the disk.
   [[nodiscard]] Result<void> writeFiles() const;
 
-  /// Writes the project (io::saveProject) and makes `file` its path.
-  /// Errors: saveProject()'s; nothing has changed then.
-  Result<void> save(const std::filesystem::path& file);
-
  Q_SIGNALS:
   void sceneChanged();      ///< another snapshot, or another layout of it
   void layoutChanged();     ///< which layout is shown

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ui/document/document.h"
+#include "tests/ui/document/saving.h"
 
 #include <QDir>
 #include <QFile>
@@ -143,7 +144,7 @@ class DocumentTest : public QObject {
     const QStringList names{QString::fromStdString(document.luminaires().front().name)};
     document.editLuminaires(QStringLiteral("Dim"), names,
                             [](light::Luminaire& l) { l.dimming = 0.25; });
-    QVERIFY(document.save(file).ok());
+    QVERIFY(testing::saved(document, file));
     QVERIFY(!document.isModified());
     const auto again = io::loadProject(file);
     QVERIFY(again.ok());

@@ -9,6 +9,7 @@
 #include "ui/document/document.h"
 #include "ui/document/mesh_text.h"
 #include "ui/document/synthetic_photometry.h"
+#include "tests/ui/document/saving.h"
 
 #include <QDir>
 #include <QFile>
@@ -77,7 +78,7 @@ class LuminaireTypesTest : public QObject {
     luminaire.name = "Downlight 1";
     next.luminaires.push_back(luminaire);
     document.edit(QStringLiteral("Place"), std::move(next));
-    QVERIFY(document.save(document.project().path).ok());
+    QVERIFY(testing::saved(document, document.project().path));
     QVERIFY(QFile::exists(folder.filePath(QString::fromStdString(name))));
     QVERIFY(!QFile::exists(folder.filePath(QString::fromStdString(other))));
     const auto again = io::loadProject(document.project().path);

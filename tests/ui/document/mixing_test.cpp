@@ -2,6 +2,7 @@
 #include "ui/document/mixing.h"
 
 #include "core/io/project/project.h"
+#include "tests/ui/document/saving.h"
 
 #include <QDir>
 #include <QFile>
@@ -127,7 +128,7 @@ class MixingTest : public QObject {
     storeScene(document, 0);
     document.setLayout(QStringLiteral("Second"));
     QVERIFY(document.lightScenes().empty());
-    QVERIFY(document.save(path.toStdString()).ok());
+    QVERIFY(testing::saved(document, path.toStdString()));
     const auto again = io::loadProject(path.toStdString());
     QVERIFY(again.ok());
     QCOMPARE(again->light_scenes.size(), std::size_t{1});
@@ -139,7 +140,7 @@ class MixingTest : public QObject {
     QVERIFY(again->warnings.front().find("mood") != std::string::npos);
     document.setLayout(QStringLiteral("First"));
     removeScene(document, 0);
-    QVERIFY(document.save(path.toStdString()).ok());
+    QVERIFY(testing::saved(document, path.toStdString()));
     QFile saved(path);
     QVERIFY(saved.open(QIODevice::ReadOnly));
     const QByteArray text = saved.readAll();
