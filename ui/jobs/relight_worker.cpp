@@ -146,6 +146,11 @@ void RelightWorker::ensureBake(const LightRequest& request) {
   if (bake_ != nullptr && bake_->serves(*request.scene)) return;
   bake_.reset();
   columns_.setSolver(nullptr);
+  {
+    // What the older one handed over in its last moment belongs to another building.
+    const std::scoped_lock arrival(mutex_);
+    arrived_.reset();
+  }
   bake_ = std::make_unique<SolverBake>(
       request.scene, use_cache_, &relay_,
       [this](Result<SolverBake::Outcome> outcome) { onSolver(std::move(outcome)); });

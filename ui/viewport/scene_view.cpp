@@ -80,6 +80,11 @@ void SceneView::setScene(std::shared_ptr<const scene::Scene> scene) {
 }
 
 void SceneView::setFrame(LightFramePtr frame) {
+  // Light that was under way when the building changed comes late; its triangles name materials
+  // that this building may not have.
+  if (frame != nullptr && (scene_ == nullptr || frame->solver->scene().mesh != scene_->mesh)) {
+    return;
+  }
   frame_ = std::move(frame);
   if (frame_ == nullptr) return;
   if (mesh_solver_ == frame_->solver) {
@@ -98,6 +103,7 @@ void SceneView::setFrame(LightFramePtr frame) {
 void SceneView::onMeshFinished() {
   auto mesh = mesh_job_.take();
   if (mesh == nullptr) return;
+  if (scene_ == nullptr || mesh_job_.solver()->scene().mesh != scene_->mesh) return;
   mesh_ = std::move(mesh);
   mesh_solver_ = mesh_job_.solver();
   pass().building.setMesh(mesh_);

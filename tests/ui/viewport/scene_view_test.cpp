@@ -107,6 +107,26 @@ class SceneViewTest : public QObject {
     QVERIFY2(unlike < by_pixels.size() / 1000, qPrintable(QString::number(unlike)));
   }
 
+  /// A model was imported or its import undone while the light of the other building was under
+  /// way.
+  void lightOfAnotherBuildingIsNotShown() {
+    view_->setLuminaires(nullptr);
+    view_->setScene(nullptr);
+    QSignalSpy cut(view_.get(), &SceneView::meshChanged);
+    view_->setFrame(lit_->frame);
+    QCOMPARE(view_->frame(), LightFramePtr());
+    view_->setScene(document_->scene());
+    view_->setFrame(lit_->frame);
+    QCOMPARE(view_->frame(), lit_->frame);
+    auto other = std::make_shared<scene::Scene>(*document_->scene());
+    other->mesh = std::make_shared<const geometry::Mesh>(*other->mesh);
+    view_->setScene(other);
+    view_->setFrame(lit_->frame);
+    QCOMPARE(view_->frame(), LightFramePtr());
+    QTest::qWait(200);
+    QVERIFY(cut.isEmpty());
+  }
+
   void falseColoursEqualTheMapWithinOneCodeValue() {
     Look look;
     look.false_color = true;
