@@ -123,6 +123,10 @@ void facetIrradiance16(const PointLightSamples& facets, std::size_t first,
 void contourIrradiance16(std::span<const dvec3> outline, const MaskReceivers& receivers, double* value,
                          std::uint32_t& clipped);
 
+/// The same of a disk (as in diskIrradiance).
+void diskIrradiance16(const dvec3& center, const dvec3& axis, double radius,
+                      const MaskReceivers& receivers, double* value, std::uint32_t& clipped);
+
 /// The instruction set in use, for reports.
 const char* simdTargetName();
 

@@ -353,6 +353,18 @@ void PreparedLight::unoccluded(const MaskReceivers& r, float distance, double* l
     }
     return;
   }
+  if (exact_ && e.disk) {
+    std::uint32_t clipped = 0;
+    diskIrradiance16(e.position, e.normal, e.radius, r, lux, clipped);
+    for (std::uint32_t i = 0; i < 16; ++i) {
+      if ((clipped >> i & 1U) != 0U) {
+        lux[i] = diskIrradiance(e.position, e.normal, e.radius, dvec3(r.x[i], r.y[i], r.z[i]),
+                                dvec3(r.nx[i], r.ny[i], r.nz[i]));
+      }
+      lux[i] *= e.luminance;
+    }
+    return;
+  }
   if (!facets_.order.empty()) {
     // The largest come first: those that may be too large for where the group is.
     const auto large = std::partition_point(

@@ -166,7 +166,25 @@ Receivers makeReceivers(std::span<const vec3> positions, std::span<const vec3> n
 
 namespace {
 
-/// Orders the points of each cluster along a space-filling path so that groups of 16 are compact.
+/// Orders up to 16 points so that runs of 4 lie close together.
+void orderFours(std::span<const vec3> positions, std::span<std::uint32_t> order) {
+  if (order.size() <= 4) return;
+  Box box;
+  for (const std::uint32_t i : order) box.add(positions[i]);
+  const vec3 size = box.size();
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const float ka = positions[a][axis];
+    const float kb = positions[b][axis];
+    return ka < kb || (ka == kb && a < b);
+  });
+  const std::size_t middle = order.size() > 8 ? 8 : 4;
+  orderFours(positions, order.first(middle));
+  orderFours(positions, order.subspan(middle));
+}
+
+/// Orders the points of each cluster along a space-filling path so that groups of 16, and fours
+/// within them, are compact.
 void orderWithin(std::span<const vec3> positions, std::span<const vec3> normals, std::vector<std::uint32_t>& order,
                  std::span<const std::uint32_t> offsets) {
   for (std::size_t k = 0; k + 1 < offsets.size(); ++k) {
@@ -182,6 +200,10 @@ void orderWithin(std::span<const vec3> positions, std::span<const vec3> normals,
     std::vector<std::uint32_t> inner_offsets;
     clusterPoints(p, n, Receivers::kGroup, {}, inner, inner_offsets);
     for (std::size_t i = 0; i < members.size(); ++i) order[offsets[k] + i] = members[inner[i]];
+    for (std::size_t i = offsets[k]; i < offsets[k + 1]; i += Receivers::kGroup) {
+      const std::size_t count = std::min<std::size_t>(Receivers::kGroup, offsets[k + 1] - i);
+      orderFours(positions, std::span(order).subspan(i, count));
+    }
   }
 }
 

@@ -115,7 +115,7 @@ std::vector<dvec3> Sensors::indirect(std::span<const vec4> source) const {
   if (lists_.lists.empty() || source.empty()) return out;
   std::vector<vec4> y(lists_.lists.size());
   parallelFor(y.size(), 64, [&](std::size_t begin, std::size_t end) {
-    transfer::gather(lists_, begin, source, {}, std::span(y).subspan(begin, end - begin));
+    transfer::gather(lists_, begin, source, std::span(y).subspan(begin, end - begin));
   });
   for (std::size_t i = 0; i < count_; ++i) {
     for (std::size_t k = 0; k < orientations_; ++k) {

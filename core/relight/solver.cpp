@@ -24,10 +24,12 @@ class Lap {
 
 }  // namespace
 
-Solver::Solver(std::shared_ptr<const transfer::StaticScene> scene, std::shared_ptr<const transfer::Operators> operators,
+Solver::Solver(std::shared_ptr<const transfer::StaticScene> scene,
+               std::shared_ptr<const transfer::Operators> operators,
                std::span<const scene::Material> materials)
     : scene_(std::move(scene)), operators_(std::move(operators)) {
   setMaterials(materials);
+  blocks_ = transfer::FarBlocks(operators_->texels, operators_->area);
   shadow_groups_ = transfer::makeShadowGroups(operators_->texels, operators_->fill_from);
   for (std::uint32_t s = 0; s < operators_->fill_from.size(); ++s) {
     if (operators_->fill_from[s] != s) filled_.push_back(s);
@@ -35,7 +37,8 @@ Solver::Solver(std::shared_ptr<const transfer::StaticScene> scene, std::shared_p
   const transfer::Nodes& nodes = operators_->nodes;
   for (std::uint32_t i = 0; i < nodes.patches.size(); ++i) {
     const transfer::Nodes::Patch& p = nodes.patches[i];
-    if (p.begin == operators_->texels.receivers.clusters[first_patch_.size()].begin) first_patch_.push_back(i);
+    if (p.begin == operators_->texels.receivers.clusters[first_patch_.size()].begin)
+      first_patch_.push_back(i);
     vec3& moment = sends_moment_.emplace_back(0.0F);
     for (std::uint32_t s = p.begin; s < p.end; ++s) {
       moment += operators_->sends[s] * vec3(1.0F, nodes.phi[s].x, nodes.phi[s].y);
@@ -46,14 +49,20 @@ Solver::Solver(std::shared_ptr<const transfer::StaticScene> scene, std::shared_p
 
 void Solver::setMaterials(std::span<const scene::Material> materials) {
   reflectances_ = makeReflectances(operators_->texels, materials);
-  const auto& rho = reflectances_.rho;
+  auto& rho = reflectances_.rho;
+  for (std::size_t s = 0; s < operators_->texels.slotCount(); ++s) {
+    if (operators_->buried[s] == 0) continue;
+    for (auto& channel : rho) channel[s] = 0.0F;
+  }
   const std::array<std::span<const float>, 3> channels = {rho[0], rho[1], rho[2]};
   nodes_.reset();
-  if (operators_->nodes.functions > 0) nodes_.emplace(operators_->nodes, operators_->area, channels);
+  if (operators_->nodes.functions > 0)
+    nodes_.emplace(operators_->nodes, operators_->area, channels);
+  if (!operators_->coarse) patch_weights_ = transfer::makePatchWeights(*operators_, channels);
 }
 
-void Solver::direct(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies, Column& column,
-                    light::DirectCounts* counts, StageTimes* times) const {
+void Solver::direct(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies,
+                    Column& column, light::DirectCounts* counts, StageTimes* times) const {
   Lap lap;
   const light::Receivers& receivers = operators_->texels.receivers;
   column.direct.resize(receivers.slotCount());
@@ -91,8 +100,8 @@ vec4 Solver::conservingScale(const dvec3& sent, std::span<const vec4> y) const {
   return scale;
 }
 
-dvec3 Solver::sendDirect(const Column& column, std::span<const float> open, std::span<vec4> x,
-                         std::span<std::uint8_t> lit) const {
+dvec3 Solver::sendDirect(const Column& column, std::span<const float> open,
+                         std::span<vec4> x) const {
   const transfer::Operators& op = *operators_;
   const auto& clusters = op.texels.receivers.clusters;
   const auto& rho = reflectances_.rho;
@@ -106,37 +115,40 @@ dvec3 Solver::sendDirect(const Column& column, std::span<const float> open, std:
         x[s] = vec4(b, 0.0F);
         sum += op.sends[s] * b;
       }
+      blocks_.average(clusters[i].begin, clusters[i].end, x);
       sent_by[i] = dvec3(sum);
     }
   });
   dvec3 sent(0.0);
   for (std::size_t i = 0; i < clusters.size(); ++i) {
-    if (column.lit[i] == 0) continue;
-    sent += sent_by[i];
-    lit[clusters[i].begin / transfer::GatherLists::kPage] = 1;
-    lit[(clusters[i].end - 1) / transfer::GatherLists::kPage] = 1;
+    if (column.lit[i] != 0) sent += sent_by[i];
   }
   return sent;
 }
 
-void Solver::firstBounce(Column& column, std::span<const float> open, std::span<transfer::PatchLight> sent,
-                         Planes* e1) const {
+void Solver::firstBounce(Column& column, std::span<const float> open,
+                         std::span<transfer::PatchLight> sent, Planes* e1) const {
   const transfer::Operators& op = *operators_;
   const auto& clusters = op.texels.receivers.clusters;
-  std::vector<vec4> x(op.texels.slotCount(), vec4(0.0F));
-  std::vector<std::uint8_t> lit(x.size() / transfer::GatherLists::kPage + 1);
-  const dvec3 all = sendDirect(column, open, x, lit);
+  std::vector<vec4> x(blocks_.size(), vec4(0.0F));
+  const dvec3 all = sendDirect(column, open, x);
   std::vector<vec4>& y = column.skeleton;
   y.resize(op.lists.lists.size());
   parallelFor(y.size(), 64, [&](std::size_t begin, std::size_t end) {
-    transfer::gather(op.lists, begin, x, lit, std::span(y).subspan(begin, end - begin));
+    transfer::gather(op.lists, begin, x, std::span(y).subspan(begin, end - begin));
   });
   const vec4 scale = conservingScale(all, y);
   parallelFor(clusters.size(), 8, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const std::span<vec4> own = std::span(y).subspan(op.clusters[i].first_list, op.clusters[i].rank);
+      const std::span<vec4> own =
+          std::span(y).subspan(op.clusters[i].first_list, op.clusters[i].rank);
       for (vec4& v : own) v *= scale;
-      interpolateFirst(own, open, i, sent, e1);
+      if (open.empty()) {
+        for (std::uint32_t p = first_patch_[i]; p < first_patch_[i + 1]; ++p) {
+          sent[p] = transfer::sentOn(patch_weights_, p, own);
+        }
+      }
+      if (!open.empty() || e1 != nullptr) interpolateFirst(own, open, i, sent, e1);
     }
   });
 }
@@ -148,12 +160,14 @@ void Solver::interpolateFirst(std::span<const vec4> y, std::span<const float> op
   const std::size_t slots = c.end - c.begin;
   alignas(64) std::array<std::array<float, 256>, 3> e;
   for (auto& plane : e) std::fill_n(plane.begin(), slots, 0.0F);
-  transfer::interpolate(std::span(op.weights).subspan(op.clusters[i].first_weight, y.size() * slots), y, slots,
-                        e[0].data(), e[1].data(), e[2].data());
+  transfer::interpolate(
+      std::span(op.weights).subspan(op.clusters[i].first_weight, y.size() * slots), y, slots,
+      e[0].data(), e[1].data(), e[2].data());
   for (std::size_t k = 0; k < 3; ++k) {
     if (e1 != nullptr) std::copy_n(e[k].begin(), slots, (*e1)[k].begin() + c.begin);
     for (std::size_t s = 0; s < slots && !open.empty(); ++s) e[k][s] *= open[c.begin + s];
   }
+  if (open.empty()) return;
   const auto& rho = reflectances_.rho;
   for (std::uint32_t p = first_patch_[i]; p < first_patch_[i + 1]; ++p) {
     const transfer::Nodes::Patch& patch = op.nodes.patches[p];
@@ -166,7 +180,9 @@ void Solver::interpolateFirst(std::span<const vec4> y, std::span<const float> op
 void Solver::addFromNodes(std::span<const transfer::PatchLight> sent, std::vector<vec4>& y) const {
   const transfer::Operators& op = *operators_;
   dvec3 total(0.0);
+  std::vector<vec4> constants(sent.size());
   for (std::size_t i = 0; i < sent.size(); ++i) {
+    constants[i] = sent[i].c[0];
     for (int a = 0; a < 3; ++a) {
       const vec4& b = sent[i].c[static_cast<std::size_t>(a)];
       total += static_cast<double>(sends_moment_[i][a]) * dvec3(b.x, b.y, b.z);
@@ -174,14 +190,16 @@ void Solver::addFromNodes(std::span<const transfer::PatchLight> sent, std::vecto
   }
   std::vector<vec4> more(y.size());
   parallelFor(more.size(), 256, [&](std::size_t begin, std::size_t end) {
-    transfer::gatherNodes(op.node_lists, begin, sent, std::span(more).subspan(begin, end - begin));
+    transfer::gatherNodes(op.node_lists, begin, sent, constants,
+                          std::span(more).subspan(begin, end - begin));
   });
   const vec4 scale = conservingScale(total, more);
   for (std::size_t k = 0; k < y.size(); ++k) y[k] += scale * more[k];
 }
 
 void Solver::radiosityOf(const Column& column, std::span<const float> open, const Planes* e1,
-                         std::span<const transfer::PatchLight> more, std::vector<vec4>& source) const {
+                         std::span<const transfer::PatchLight> more,
+                         std::vector<vec4>& source) const {
   const transfer::Operators& op = *operators_;
   source.assign(op.texels.slotCount(), vec4(0.0F));
   parallelFor(op.nodes.patches.size(), 16, [&](std::size_t begin, std::size_t end) {
@@ -190,18 +208,21 @@ void Solver::radiosityOf(const Column& column, std::span<const float> open, cons
       for (std::uint32_t s = p.begin; s < p.end; ++s) {
         const std::uint32_t from = op.fill_from[s];
         const float shown = open.empty() ? 1.0F : open[s];
-        const vec4 value = more[i].c[0] + more[i].c[1] * op.nodes.phi[s].x + more[i].c[2] * op.nodes.phi[s].y;
+        const vec4 value =
+            more[i].c[0] + more[i].c[1] * op.nodes.phi[s].x + more[i].c[2] * op.nodes.phi[s].y;
         for (std::size_t c = 0; c < 3; ++c) {
           const float first = e1 != nullptr ? std::max(0.0F, (*e1)[c][from]) : 0.0F;
           const float e = std::max(0.0F, value[static_cast<int>(c)]) + first;
-          source[s][static_cast<int>(c)] = reflectances_.rho[c][s] * (directAt(column, open, s) + shown * e);
+          source[s][static_cast<int>(c)] =
+              reflectances_.rho[c][s] * (directAt(column, open, s) + shown * e);
         }
       }
     }
   });
 }
 
-void Solver::coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const {
+void Solver::coarseIndirect(Column& column, std::span<const float> open,
+                            std::vector<vec4>* source) const {
   const transfer::Operators& op = *operators_;
   const auto& rho = reflectances_.rho;
   std::vector<float> e(op.texels.slotCount());
@@ -210,7 +231,8 @@ void Solver::coarseIndirect(Column& column, std::span<const float> open, std::ve
   for (std::size_t i = 0; i < sent.size(); ++i) {
     const transfer::Nodes::Patch& patch = op.nodes.patches[i];
     const float* from = &e[patch.begin];
-    sent[i] = transfer::restrictSent(op.nodes, patch, op.area, {rho[0], rho[1], rho[2]}, {from, from, from});
+    sent[i] = transfer::restrictSent(op.nodes, patch, op.area, {rho[0], rho[1], rho[2]},
+                                     {from, from, from});
   }
   column.skeleton.clear();
   column.node.resize(sent.size());
@@ -264,8 +286,8 @@ void Solver::addCluster(const Column& column, const vec4& w, std::size_t i, Plan
     // Weights may be negative; light is not.
     alignas(64) std::array<std::array<float, 256>, 3> light{};
     transfer::interpolate(std::span(op.weights).subspan(cw.first_weight, cw.rank * slots),
-                          std::span<const vec4>(y.data(), cw.rank), slots, light[0].data(), light[1].data(),
-                          light[2].data());
+                          std::span<const vec4>(y.data(), cw.rank), slots, light[0].data(),
+                          light[1].data(), light[2].data());
     for (std::size_t s = 0; s < slots; ++s) {
       r[s] += std::max(0.0F, light[0][s]);
       g[s] += std::max(0.0F, light[1][s]);
@@ -282,12 +304,14 @@ void Solver::addCluster(const Column& column, const vec4& w, std::size_t i, Plan
   }
 }
 
-void Solver::add(const Column& column, const dvec3& weight, Planes& total, StageTimes* times) const {
+void Solver::add(const Column& column, const dvec3& weight, Planes& total,
+                 StageTimes* times) const {
   Lap lap;
   const vec4 w(vec3(weight), 0.0F);
-  parallelFor(operators_->texels.receivers.clusters.size(), 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) addCluster(column, w, i, total);
-  });
+  parallelFor(operators_->texels.receivers.clusters.size(), 8,
+              [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) addCluster(column, w, i, total);
+              });
   if (times != nullptr) times->interpolate += lap.ms();
 }
 

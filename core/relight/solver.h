@@ -3,9 +3,11 @@
 
 #include "core/light/direct_stage.h"
 #include "core/relight/reflectance.h"
+#include "core/transfer/far_blocks.h"
 #include "core/transfer/kernels.h"
 #include "core/transfer/node_solver.h"
 #include "core/transfer/operators.h"
+#include "core/transfer/patch_weights.h"
 #include "core/transfer/shadow_groups.h"
 #include "core/transfer/static_scene.h"
 
@@ -55,7 +57,9 @@ class Solver {
 
   /// The same geometry with other reflectances, and no bake; this one stays as it is.
   [[nodiscard]] std::shared_ptr<const Solver> repainted(std::span<const scene::Material> materials) const {
-    return std::make_shared<const Solver>(scene_, operators_, materials);
+    auto painted = std::make_shared<Solver>(*this);
+    painted->setMaterials(materials);
+    return painted;
   }
 
   /// Direct light of an emitter on all texels; bodies: blockers of all other luminaires' bodies.
@@ -89,9 +93,8 @@ class Solver {
   void coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const;
   /// Skeleton and what the patches send after it; e1: its light per slot, if wanted.
   void firstBounce(Column& column, std::span<const float> open, std::span<transfer::PatchLight> sent, Planes* e1) const;
-  /// Radiosity of direct light per slot, which pages have any (GatherLists), and the sum that stays in the scene.
-  dvec3 sendDirect(const Column& column, std::span<const float> open, std::span<vec4> x,
-                   std::span<std::uint8_t> lit) const;
+  /// Radiosity of direct light per slot and block, and the sum that stays in the scene.
+  dvec3 sendDirect(const Column& column, std::span<const float> open, std::span<vec4> x) const;
   void interpolateFirst(std::span<const vec4> y, std::span<const float> open, std::size_t cluster,
                         std::span<transfer::PatchLight> sent, Planes* e1) const;
   void addFromNodes(std::span<const transfer::PatchLight> sent, std::vector<vec4>& y) const;
@@ -106,8 +109,10 @@ class Solver {
   std::shared_ptr<const transfer::StaticScene> scene_;
   std::shared_ptr<const transfer::Operators> operators_;
   transfer::ShadowGroups shadow_groups_;
+  transfer::FarBlocks blocks_;
   Reflectances reflectances_;
   std::optional<transfer::NodeSolver> nodes_;  ///< none without nodes
+  transfer::PatchWeights patch_weights_;       ///< none before there are weights
   std::vector<std::uint32_t> filled_;         ///< slots that show another's light
   std::vector<std::uint32_t> first_patch_;    ///< per cluster, then the end
   std::vector<vec3> sends_moment_;            ///< per patch: sum sends phi of its functions

@@ -56,6 +56,7 @@ Texels layTexels(const StaticScene& scene, const BakeSettings& settings) {
 struct FirstHits {
   std::vector<std::uint32_t> slots;  ///< rays per slot
   std::vector<std::uint8_t> valid;
+  std::vector<std::uint8_t> within;  ///< 1 where most rays meet the inside of solids
 };
 
 FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, const Job& job, Operators& operators) {
@@ -64,6 +65,7 @@ FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, con
   FirstHits first;
   first.slots.assign(texels.slotCount() * rays, kNoTexel);
   first.valid.assign(texels.slotCount(), 0);
+  first.within.assign(texels.slotCount(), 0);
   operators.sends.assign(texels.slotCount(), 0.0F);
   std::atomic<std::size_t> done{0};
   const std::size_t clusters = texels.receivers.clusters.size();
@@ -79,6 +81,7 @@ FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, con
         std::copy(hits.slots.begin(), hits.slots.end(), first.slots.begin() + static_cast<std::ptrdiff_t>(s * rays));
         const int total = static_cast<int>(rays);
         first.valid[s] = texels.area[s] > 0.0F && hits.inside * 10 <= total ? 1 : 0;
+        first.within[s] = hits.inside * 2 > total ? 1 : 0;
         operators.sends[s] =
             static_cast<float>(total - hits.missed - hits.inside) / static_cast<float>(total);  // x area below
       }
@@ -94,6 +97,7 @@ void fillInvalid(const FirstHits& first, Operators& operators) {
   const auto chartOf = [&](std::uint32_t slot) { return texels.charts.chart_of[texels.triangle[slot]]; };
   operators.area = texels.area;
   operators.fill_from.resize(texels.slotCount());
+  operators.buried.assign(texels.slotCount(), 0);
   for (const light::Receivers::Cluster& c : texels.receivers.clusters) {
     for (std::uint32_t s = c.begin; s < c.end; ++s) {
       const std::uint32_t own = s < c.begin + c.used ? s : c.begin + c.used - 1;
@@ -111,6 +115,7 @@ void fillInvalid(const FirstHits& first, Operators& operators) {
           operators.fill_from[s] = o;
         }
       }
+      if (operators.fill_from[s] == own) operators.buried[s] = first.within[own];
     }
   }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/light/receivers.h"
 #include "core/math/vec.h"
 
 #include <array>
@@ -11,49 +10,48 @@
 
 namespace soffit::transfer {
 
-/// Gather rays as sparse sums over texels: value = scale * sum count_k x[slot_k], the irradiance
+/// Gather rays as sparse sums over slots: value = scale * sum rays_k x[slot_k], the irradiance
 /// that radiosity x (lux) sends to the point.
 ///
-/// Slots are divided into pages of kPage. Entries come in groups of four of the same page, so that a
-/// list is two loops without another branch; a dark page costs one test per group. An entry is two
-/// bytes: the slot's place in the page x 16, which is the offset in bytes of its vec4, plus a code
-/// for how many rays ended there. Three quarters of the entries are single rays (code 0): groups of
-/// nothing else come first and need neither code nor product.
+/// An entry is the slot x 16, which is the offset in bytes of its vec4. Entries come in groups of
+/// four that the same number of rays meet: the number's code stands in the low bits of the first,
+/// so that a group is four sums and one product. Up to three single entries of one ray each follow
+/// the groups.
 struct GatherLists {
-  using Entry = std::uint16_t;
-  static constexpr std::uint32_t kPage = 4096;
+  using Entry = std::uint32_t;
   static constexpr std::size_t kGroup = 4;
-  /// Rays by code. Other numbers are sums of these; entries of none fill up a group.
+  /// Rays by code. Other numbers are sums of these.
   static constexpr std::array<float, 16> kRays = {1, 2,  3,  4,  5,  6,  7,  8,
-                                                  9, 10, 12, 16, 24, 32, 64, 0};
+                                                  9, 10, 12, 16, 24, 32, 48, 64};
+  static constexpr std::uint32_t kMostSlots = 1U << 28U;
   struct List {
-    std::uint32_t first_group = 0;
-    std::uint32_t single = 0;  ///< groups of single rays
-    std::uint32_t mixed = 0;   ///< groups after those
-    float scale = 0.0F;        ///< 1 / number of rays
+    std::uint64_t first = 0;  ///< into entries
+    std::uint32_t groups = 0;
+    std::uint32_t rest = 0;  ///< entries of one ray after the groups, 0 to 3
+    float scale = 0.0F;      ///< 1 / number of rays
+    std::uint32_t padding = 0;
   };
-  std::vector<Entry> entries;        ///< kGroup per group
-  std::vector<std::uint16_t> pages;  ///< per group
+  std::vector<Entry> entries;
   std::vector<List> lists;
 
   /// Calls f(slot, rays) for the entries of a list, in no order.
   template <class F>
   void forEachEntry(const List& list, const F& f) const {
-    const std::size_t end = std::size_t{list.first_group} + list.single + list.mixed;
-    for (std::size_t k = kGroup * list.first_group; k < kGroup * end; ++k) {
-      const auto rays = static_cast<std::uint32_t>(kRays[entries[k] & 15U]);
-      if (rays > 0) f(pages[k / kGroup] * kPage + (entries[k] >> 4U), rays);
+    const Entry* entry = entries.data() + list.first;
+    for (std::uint32_t g = 0; g < list.groups; ++g) {
+      const auto rays = static_cast<std::uint32_t>(kRays[entry[0] & 15U]);
+      for (std::size_t k = 0; k < kGroup; ++k) f(*entry++ >> 4U, rays);
     }
+    for (std::uint32_t k = 0; k < list.rest; ++k) f(*entry++ >> 4U, 1U);
   }
 
   /// Appends the list of a point: `slots` as traceHemisphere gives them (kNoTexel: dark), sorted
-  /// in place. At most 2^28 slots.
+  /// in place; below kMostSlots.
   void append(std::span<std::uint32_t> slots);
   /// Appends all lists of another set.
   void append(const GatherLists& other);
   [[nodiscard]] std::size_t bytes() const {
-    return entries.size() * sizeof(Entry) + pages.size() * sizeof(std::uint16_t) +
-           lists.size() * sizeof(List);
+    return entries.size() * sizeof(Entry) + lists.size() * sizeof(List);
   }
 };
 

@@ -3,6 +3,7 @@
 #define HWY_TARGET_INCLUDE "core/transfer/kernels.cpp"
 #include <hwy/foreach_target.h>
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "core/transfer/kernels.h"
@@ -16,48 +17,35 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::CappedTag<float, 16>;
 constexpr D d;
 
-/// The four places of a group: entries are offsets in bytes.
-struct Group {
-  const char* page;
-  const GatherLists::Entry* entry;
+constexpr std::size_t kAhead = 512;  ///< entries, 2 kB
 
-  HWY_INLINE Rgb single(std::size_t k) const {
-    return loadRgb(reinterpret_cast<const float*>(page + entry[k]));
-  }
-  HWY_INLINE Rgb addTo(Rgb sum, std::size_t k) const {
-    const auto* from = reinterpret_cast<const float*>(page + (entry[k] & ~15U));
-    return mulAddRgb(GatherLists::kRays[entry[k] & 15U], loadRgb(from), sum);
-  }
-};
-
-void Gather(const GatherLists& lists, std::size_t first, const float* x, const std::uint8_t* lit,
-            float* y, std::size_t count) {
-  const auto groupAt = [&](std::size_t g) {
-    const std::size_t floats = 4UL * GatherLists::kPage * lists.pages[g];
-    return Group{reinterpret_cast<const char*>(x + floats), &lists.entries[4 * g]};
+void Gather(const GatherLists& lists, std::size_t first, const float* x, float* y,
+            std::size_t count) {
+  const auto* const base = reinterpret_cast<const char*>(x);
+  const auto at = [base](GatherLists::Entry offset) {
+    return loadRgb(reinterpret_cast<const float*>(base + offset));
   };
   for (std::size_t k = 0; k < count; ++k) {
     const GatherLists::List& list = lists.lists[first + k];
-    const std::size_t mixed = std::size_t{list.first_group} + list.single;
-    // Four sums: an addition takes four cycles.
-    Rgb s0 = zeroRgb(), s1 = zeroRgb(), s2 = zeroRgb(), s3 = zeroRgb();
-    for (std::size_t g = list.first_group; g < mixed; ++g) {
-      if (lit != nullptr && lit[lists.pages[g]] == 0) continue;
-      const Group group = groupAt(g);
-      s0 = addRgb(s0, group.single(0));
-      s1 = addRgb(s1, group.single(1));
-      s2 = addRgb(s2, group.single(2));
-      s3 = addRgb(s3, group.single(3));
+    const GatherLists::Entry* e = lists.entries.data() + list.first;
+    const auto sumOf = [&at](const GatherLists::Entry* g) {
+      return addRgb(addRgb(at(g[0] & ~15U), at(g[1])), addRgb(at(g[2]), at(g[3])));
+    };
+    // Two sums: a product with addition takes four cycles.
+    Rgb s0 = zeroRgb(), s1 = zeroRgb();
+    const GatherLists::Entry* const end = e + 4 * static_cast<std::size_t>(list.groups);
+    for (; e + 8 <= end; e += 8) {
+      // Entries are read once per move: hardware stops looking ahead at each page of memory.
+      hwy::Prefetch(e + kAhead);
+      s0 = mulAddRgb(GatherLists::kRays[e[0] & 15U], sumOf(e), s0);
+      s1 = mulAddRgb(GatherLists::kRays[e[4] & 15U], sumOf(e + 4), s1);
     }
-    for (std::size_t g = mixed; g < mixed + list.mixed; ++g) {
-      if (lit != nullptr && lit[lists.pages[g]] == 0) continue;
-      const Group group = groupAt(g);
-      s0 = group.addTo(s0, 0);
-      s1 = group.addTo(s1, 1);
-      s2 = group.addTo(s2, 2);
-      s3 = group.addTo(s3, 3);
+    if (e < end) {
+      s0 = mulAddRgb(GatherLists::kRays[e[0] & 15U], sumOf(e), s0);
+      e += 4;
     }
-    storeRgb(mulAddRgb(list.scale, addRgb(addRgb(s0, s1), addRgb(s2, s3)), zeroRgb()), y + 4 * k);
+    for (std::uint32_t r = 0; r < list.rest; ++r) s1 = addRgb(s1, at(e[r]));
+    storeRgb(mulAddRgb(list.scale, addRgb(s0, s1), zeroRgb()), y + 4 * k);
   }
 }
 
@@ -101,11 +89,11 @@ HWY_EXPORT(Interpolate);
 HWY_EXPORT(AddScaled);
 
 void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x,
-            std::span<const std::uint8_t> lit, std::span<vec4> y) {
-  static_assert(sizeof(vec4) == 16 && GatherLists::kPage * sizeof(vec4) == 1U << 16U && GatherLists::kGroup == 4);
+            std::span<vec4> y) {
+  static_assert(sizeof(vec4) == 16 && GatherLists::kGroup == 4);
   if (y.empty()) return;
   const float* from = x.empty() ? nullptr : &x[0].x;
-  HWY_DYNAMIC_DISPATCH(Gather)(lists, first, from, lit.empty() ? nullptr : lit.data(), &y[0].x, y.size());
+  HWY_DYNAMIC_DISPATCH(Gather)(lists, first, from, &y[0].x, y.size());
 }
 
 void interpolate(std::span<const Half> weights, std::span<const vec4> y, std::size_t slots, float* out_r,

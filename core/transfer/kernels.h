@@ -11,10 +11,9 @@
 /// The loops that run on every move, for the widest vector unit at hand (Highway).
 namespace soffit::transfer {
 
-/// y[k] = gather list first+k of x, k < y.size(); x: RGB + padding per slot. lit: per page of
-/// GatherLists, 0 where x is known to be 0 (nothing there is read); empty: all are.
+/// y[k] = gather list first+k of x, k < y.size(); x: RGB + padding per slot.
 void gather(const GatherLists& lists, std::size_t first, std::span<const vec4> x,
-            std::span<const std::uint8_t> lit, std::span<vec4> y);
+            std::span<vec4> y);
 
 /// out_c[s] += sum_k weights[k*slots + s] y[k].c for c = x, y, z; slots a multiple of 16.
 void interpolate(std::span<const Half> weights, std::span<const vec4> y, std::size_t slots, float* out_r,

@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "core/base/parallel.h"
+#include "core/transfer/kernels.h"
 #include "core/transfer/node_kernels.h"
 #include "core/transfer/rgb_lanes-inl.h"
 
@@ -70,47 +71,36 @@ void MultiplyConstants(const ConstantMatrix& matrix, const float* x, float* y, s
 }
 
 #if HWY_TARGET == HWY_SCALAR
-HWY_INLINE void addEntry(const NodeLists::Entry& entry, const float* from, Rgb& s0, Rgb& s1, Rgb& s2) {
-  s0 = mulAddRgb(entry.count, loadRgb(from), s0);
+HWY_INLINE void addEntry(const NodeLists::Entry& entry, const float* from, Rgb& s1, Rgb& s2) {
   s1 = mulAddRgb(entry.phi1, loadRgb(from + 4), s1);
   s2 = mulAddRgb(entry.phi2, loadRgb(from + 8), s2);
 }
 #else
-HWY_INLINE void addEntry(const NodeLists::Entry& entry, const float* from, Rgb& s0, Rgb& s1, Rgb& s2) {
-  // All four bytes at once; the gap, which has no sign, is not used.
+HWY_INLINE void addEntry(const NodeLists::Entry& entry, const float* from, Rgb& s1, Rgb& s2) {
+  // All four bytes at once; those of the gap are not used.
   const hn::Rebind<std::int8_t, Rgb4> bytes;
   const hn::Rebind<std::int32_t, Rgb4> words;
   const auto packed = hn::LoadU(bytes, reinterpret_cast<const std::int8_t*>(&entry));
   const Rgb v = hn::ConvertTo(Rgb4(), hn::PromoteTo(words, packed));
-  s0 = hn::MulAdd(hn::Broadcast<1>(v), loadRgb(from), s0);
   s1 = hn::MulAdd(hn::Broadcast<2>(v), loadRgb(from + 4), s1);
   s2 = hn::MulAdd(hn::Broadcast<3>(v), loadRgb(from + 8), s2);
 }
 #endif
 
-void GatherNodes(const NodeLists& lists, std::size_t first, const float* b, float* y,
-                 std::size_t count) {
+/// The linear functions; y holds the constants' share.
+void AddLinear(const NodeLists& lists, std::size_t first, const float* b, float* y,
+               std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
     const NodeLists::List& list = lists.lists[first + k];
-    // Two sets of sums: within one each product would wait for the last.
-    Rgb s0 = zeroRgb(), s1 = zeroRgb(), s2 = zeroRgb();
-    Rgb t0 = zeroRgb(), t1 = zeroRgb(), t2 = zeroRgb();
+    Rgb s1 = zeroRgb(), s2 = zeroRgb();
     const float* from = b;
     const NodeLists::Entry* entry = lists.entries.data() + list.first;
     const NodeLists::Entry* const end = entry + list.count;
-    for (; entry + 2 <= end; entry += 2) {
-      const float* const other = from + 12 * static_cast<std::size_t>(entry[0].gap);
-      from = other + 12 * static_cast<std::size_t>(entry[1].gap);
-      addEntry(entry[0], other, s0, s1, s2);
-      addEntry(entry[1], from, t0, t1, t2);
+    for (; entry < end; ++entry) {
+      from += 12 * static_cast<std::size_t>(entry->gap);
+      addEntry(*entry, from, s1, s2);
     }
-    if (entry < end) {
-      addEntry(*entry, from + 12 * static_cast<std::size_t>(entry->gap), s0, s1, s2);
-    }
-    s0 = addRgb(s0, t0);
-    s1 = addRgb(addRgb(s1, t1), addRgb(s2, t2));
-    const Rgb sum = mulAddRgb(NodeLists::kStep, s1, s0);
-    storeRgb(mulAddRgb(list.scale, sum, zeroRgb()), y + 4 * k);
+    storeRgb(mulAddRgb(list.scale * NodeLists::kStep, addRgb(s1, s2), loadRgb(y + 4 * k)), y + 4 * k);
   }
 }
 
@@ -144,7 +134,7 @@ namespace soffit::transfer {
 
 HWY_EXPORT(MultiplyNodes);
 HWY_EXPORT(MultiplyConstants);
-HWY_EXPORT(GatherNodes);
+HWY_EXPORT(AddLinear);
 HWY_EXPORT(RestrictSent);
 
 namespace {
@@ -186,10 +176,10 @@ void multiplyConstants(const ConstantMatrix& matrix, std::span<const vec4> x, st
 }
 
 void gatherNodes(const NodeLists& lists, std::size_t first, std::span<const PatchLight> b,
-                 std::span<vec4> y) {
-  static_assert(sizeof(NodeLists::Entry) == 4 && offsetof(NodeLists::Entry, count) == 1);
+                 std::span<const vec4> constants, std::span<vec4> y) {
   if (y.empty() || b.empty()) return;
-  HWY_DYNAMIC_DISPATCH(GatherNodes)(lists, first, &b[0].c[0].x, &y[0].x, y.size());
+  gather(lists.constants, first, constants, y);
+  HWY_DYNAMIC_DISPATCH(AddLinear)(lists, first, &b[0].c[0].x, &y[0].x, y.size());
 }
 
 PatchLight restrictSent(const Nodes& nodes, const Nodes::Patch& patch, std::span<const float> area,

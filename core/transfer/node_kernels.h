@@ -29,8 +29,9 @@ ConstantMatrix constantsOf(const NodeMatrix& matrix);
 /// y = F_c x; x and y: per patch. In parallel when the matrix is large.
 void multiplyConstants(const ConstantMatrix& matrix, std::span<const vec4> x, std::span<vec4> y);
 
-/// y[k] = node list first+k of b, k < y.size(); b: per patch.
+/// y[k] = node list first+k of b, k < y.size(); b: per patch. constants: b.c[0] side by side.
 void gatherNodes(const NodeLists& lists, std::size_t first, std::span<const PatchLight> b,
+                 std::span<const vec4> constants,
                  std::span<vec4> y);
 
 /// The coefficients 1/A sum A phi rho max(e, 0) of a patch: what it sends out of irradiance e.

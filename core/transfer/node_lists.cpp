@@ -12,16 +12,22 @@ namespace soffit::transfer {
 namespace {
 
 constexpr long kMost = 127;  // what a byte with a sign holds
+constexpr std::uint32_t kMostGap = 0xffff;
+/// Sums of phi within so many standard deviations of 0 count as chance.
+constexpr double kChance = 1.5;
 
 /// Sums over the rays that end in one patch.
 struct Sums {
   std::uint32_t patch = 0;
-  long count = 0;
+  double count = 0.0;
   double phi1 = 0.0;
   double phi2 = 0.0;
 };
 
-long steps(double sum) { return std::lround(sum / static_cast<double>(NodeLists::kStep)); }
+long steps(double sum, double count) {
+  if (sum * sum <= kChance * kChance * count) return 0;
+  return std::lround(sum / static_cast<double>(NodeLists::kStep));
+}
 
 /// Takes off as much as one entry holds.
 std::int8_t take(long& rest) {
@@ -30,29 +36,34 @@ std::int8_t take(long& rest) {
   return static_cast<std::int8_t>(part);
 }
 
-void append(const Sums& sums, std::uint32_t gap, std::vector<NodeLists::Entry>& out) {
-  for (; gap > 255; gap -= 255) out.push_back({255, 0, 0, 0});
-  std::array<long, 3> rest = {sums.count, steps(sums.phi1), steps(sums.phi2)};
-  while (rest != std::array<long, 3>{}) {
-    out.push_back({static_cast<std::uint8_t>(std::exchange(gap, 0U)), take(rest[0]), take(rest[1]),
-                   take(rest[2])});
+/// Returns whether the patch got an entry.
+bool append(const Sums& sums, std::uint32_t gap, std::vector<NodeLists::Entry>& out) {
+  std::array<long, 2> rest = {steps(sums.phi1, sums.count), steps(sums.phi2, sums.count)};
+  if (rest == std::array<long, 2>{}) return false;
+  for (; gap > kMostGap; gap -= kMostGap) out.push_back({kMostGap, 0, 0});
+  while (rest != std::array<long, 2>{}) {
+    out.push_back(
+        {static_cast<std::uint16_t>(std::exchange(gap, 0U)), take(rest[0]), take(rest[1])});
   }
+  return true;
 }
 
-std::vector<NodeLists::Entry> entriesOf(const GatherLists& lists, const GatherLists::List& list,
-                                        const Nodes& nodes) {
+/// The rays of one list by patches.
+struct Made {
+  std::vector<std::uint32_t> patches;  ///< per ray
+  std::vector<NodeLists::Entry> entries;
+};
+
+Made entriesOf(const GatherLists& lists, const GatherLists::List& list, const Nodes& nodes) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> taps;  // slot, rays
-  lists.forEachEntry(list, [&](std::uint32_t slot, std::uint32_t rays) {
-    taps.emplace_back(slot, rays);
-  });
+  lists.forEachEntry(
+      list, [&](std::uint32_t slot, std::uint32_t rays) { taps.emplace_back(slot, rays); });
   std::sort(taps.begin(), taps.end());
-  std::vector<NodeLists::Entry> out;
+  Made out;
   std::uint32_t before = 0;
   Sums sums;
   const auto flush = [&] {
-    if (sums.count == 0) return;
-    append(sums, sums.patch - before, out);
-    before = sums.patch;
+    if (append(sums, sums.patch - before, out.entries)) before = sums.patch;
   };
   // Patches are ranges of slots: equal patches are neighbours.
   for (const auto& [slot, rays] : taps) {
@@ -60,6 +71,7 @@ std::vector<NodeLists::Entry> entriesOf(const GatherLists& lists, const GatherLi
       flush();
       sums = {.patch = nodes.patch_of[slot]};
     }
+    out.patches.insert(out.patches.end(), rays, sums.patch);
     sums.count += rays;
     sums.phi1 += rays * static_cast<double>(nodes.phi[slot].x);
     sums.phi2 += rays * static_cast<double>(nodes.phi[slot].y);
@@ -72,14 +84,17 @@ std::vector<NodeLists::Entry> entriesOf(const GatherLists& lists, const GatherLi
 
 NodeLists makeNodeLists(const GatherLists& lists, const Nodes& nodes) {
   NodeLists out;
-  std::vector<std::vector<NodeLists::Entry>> made(lists.lists.size());
+  std::vector<Made> made(lists.lists.size());
   parallelFor(made.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) made[k] = entriesOf(lists, lists.lists[k], nodes);
   });
   for (std::size_t k = 0; k < made.size(); ++k) {
+    const std::vector<NodeLists::Entry>& entries = made[k].entries;
     out.lists.push_back({static_cast<std::uint32_t>(out.entries.size()),
-                         static_cast<std::uint32_t>(made[k].size()), lists.lists[k].scale});
-    out.entries.insert(out.entries.end(), made[k].begin(), made[k].end());
+                         static_cast<std::uint32_t>(entries.size()), lists.lists[k].scale});
+    out.entries.insert(out.entries.end(), entries.begin(), entries.end());
+    out.constants.append(made[k].patches);
+    out.constants.lists.back().scale = lists.lists[k].scale;
   }
   return out;
 }

@@ -8,8 +8,9 @@
 namespace soffit::transfer {
 namespace {
 
-/// Residual of the tail: below what the next bounce of single precision numbers rounds away.
-constexpr double kTolerance = 2e-6;
+/// Residual of the tail, of its first bounce. What is left of all light is less than that whatever
+/// reflects: the factor 1 / (1 - rho) by which residuals grow is the one by which light does.
+constexpr double kTolerance = 3e-5;
 
 std::array<float, 6> reflectanceOf(const Nodes& nodes, const Nodes::Patch& p,
                                    std::span<const float> area,

@@ -26,7 +26,7 @@ class NodeSolver {
              std::span<const std::span<const float>> reflectance);
 
   /// Irradiance after one and more reflections from the first radiosity b0 (reflectance x direct),
-  /// both per patch. The tail is exact to 1e-5 of itself.
+  /// both per patch. The tail is exact to 1e-4 of itself.
   void solve(std::span<const PatchLight> b0, std::span<PatchLight> indirect) const;
 
   /// The same from and to coefficients (restrictToNodes): a vector of nodes.stride per channel,

@@ -51,7 +51,7 @@ std::string applyRecords(const Records& records, Operators& operators);
 /// until it is stored too (raise kBakeVersion then).
 template <class Ops, class Recs, class Visit>
 void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
-  auto& [texels, area, fill_from, sends, nodes, lists, node_lists, clusters, weights, list_area,
+  auto& [texels, area, fill_from, buried, sends, nodes, lists, node_lists, clusters, weights, list_area,
          conserve, coarse] = operators;
   auto& [receivers, texel_area, material, triangle, openness, part, uv, uv_width, charts, cell, grids, cells, split] =
       texels;
@@ -59,8 +59,9 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   auto& [chart_list, chart_triangles, chart_of] = charts;
   auto& [patches, patch_of, phi, functions, stride, matrix] = nodes;
   auto& [matrix_first, matrix_blocks] = matrix;
-  auto& [list_entries, list_pages, list_list] = lists;
-  auto& [node_entries, node_list] = node_lists;
+  auto& [list_entries, list_list] = lists;
+  auto& [node_constants, node_entries, node_list] = node_lists;
+  auto& [constant_entries, constant_list] = node_constants;
   visit("scalars", records.scalars);  // cell, functions, stride, coarse, conserve
   static_cast<void>(cell), static_cast<void>(functions), static_cast<void>(stride),
       static_cast<void>(coarse), static_cast<void>(conserve);
@@ -90,6 +91,7 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   visit("texels.split", split);
   visit("area", area);
   visit("fill_from", fill_from);
+  visit("buried", buried);
   visit("sends", sends);
   visit("nodes.patches", patches);
   visit("nodes.patch_of", patch_of);
@@ -97,8 +99,9 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   visit("nodes.matrix_first", matrix_first);
   visit("nodes.matrix_blocks", matrix_blocks);
   visit("lists.entries", list_entries);
-  visit("lists.pages", list_pages);
   visit("lists.lists", list_list);
+  visit("node_lists.constants.entries", constant_entries);
+  visit("node_lists.constants.lists", constant_list);
   visit("node_lists.entries", node_entries);
   visit("node_lists.lists", node_list);
   visit("clusters", clusters);
@@ -118,9 +121,9 @@ static_assert(is_packed<light::Receivers::Cluster, 3 * 4 + sizeof(light::Receive
 static_assert(is_packed<Texels::Grid, 6 * 4 + 8>);
 static_assert(is_packed<Nodes::Patch, 4 * 4 + 8>);
 static_assert(is_packed<NodeMatrix::Block, 4 + 9 * 4>);
-static_assert(is_packed<GatherLists::Entry, 2>);
-static_assert(is_packed<GatherLists::List, 4 * 4>);
-static_assert(is_packed<NodeLists::Entry, 4 * 1>);
+static_assert(is_packed<GatherLists::Entry, 4>);
+static_assert(is_packed<GatherLists::List, 8 + 4 * 4>);
+static_assert(is_packed<NodeLists::Entry, 2 + 2>);
 static_assert(is_packed<NodeLists::List, 3 * 4>);
 static_assert(is_packed<Half, 2>);
 static_assert(is_packed<ClusterWeights, 2 * 4 + 8>);

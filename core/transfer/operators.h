@@ -45,11 +45,14 @@ struct Operators {
   Texels texels;
   std::vector<float> area;               ///< per slot: what takes part in the bounce; 0 for padding and invalid texels
   std::vector<std::uint32_t> fill_from;  ///< per slot: itself, or the valid slot whose light it shows
+  /// Per slot: 1 where most of what it sees is the inside of solids, and no valid texel is near to
+  /// show the light of. Light does not get there, and a ray that slips in at a seam finds it dark.
+  std::vector<std::uint8_t> buried;
   /// Per slot, m^2: what one lux of radiosity makes in lux times m^2 elsewhere: the area, less what
   /// leaves the scene; of texels that take no part, what the lists see of them.
   std::vector<float> sends;
   Nodes nodes;
-  GatherLists lists;                     ///< what each skeleton point sees, texel by texel
+  GatherLists lists;                     ///< what each skeleton point sees, by texels and by FarBlocks of them
   NodeLists node_lists;                  ///< the same by node functions
   std::vector<ClusterWeights> clusters;  ///< per cluster of texels.receivers
   std::vector<Half> weights;             ///< sums of some 20 of them: rounding disappears in the rays' noise

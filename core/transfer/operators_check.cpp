@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/transfer/operators_check.h"
 
+#include "core/transfer/far_blocks.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -134,31 +136,34 @@ bool nodesAreSane(const Nodes& nodes, const light::Receivers& receivers) {
 }
 
 bool gatherListsAreSane(const GatherLists& lists, std::size_t slots) {
-  // Groups follow each other without gaps, as append() makes them.
-  constexpr std::size_t kGroup = GatherLists::kGroup;
-  if (lists.entries.size() != kGroup * lists.pages.size()) return false;
-  for (std::size_t k = 0; k < lists.entries.size(); ++k) {
-    if (lists.pages[k / kGroup] * GatherLists::kPage + (lists.entries[k] >> 4U) >= slots)
-      return false;
+  if (!std::all_of(lists.entries.begin(), lists.entries.end(),
+                   [&](GatherLists::Entry e) { return (e >> 4U) < slots; })) {
+    return false;
   }
+  // Lists follow each other without gaps, as append() makes them.
   std::uint64_t next = 0;
   for (const GatherLists::List& list : lists.lists) {
-    const std::uint64_t count = std::uint64_t{list.single} + list.mixed;
-    if (list.first_group != next || !within(next, count, lists.pages.size())) return false;
-    if (!sane({&list.scale, 1})) return false;
-    // Single rays are read without their codes.
-    const auto begin = lists.entries.begin() + static_cast<std::ptrdiff_t>(kGroup * next);
-    const auto end = begin + static_cast<std::ptrdiff_t>(kGroup * list.single);
-    if (std::any_of(begin, end, [](GatherLists::Entry e) { return (e & 15U) != 0; })) return false;
-    next += count;
+    const std::uint64_t grouped = std::uint64_t{list.groups} * GatherLists::kGroup;
+    if (list.first != next || list.rest >= GatherLists::kGroup || !sane({&list.scale, 1}) ||
+        !within(next, grouped + list.rest, lists.entries.size())) {
+      return false;
+    }
+    // Only the first of a group has a code; the others are offsets as they stand.
+    for (std::uint64_t k = 0; k < grouped + list.rest; ++k) {
+      const bool leads = k < grouped && k % GatherLists::kGroup == 0;
+      if (!leads && (lists.entries[next + k] & 15U) != 0) return false;
+    }
+    next += grouped + list.rest;
   }
-  return next == lists.pages.size();
+  return next == lists.entries.size();
 }
 
 bool nodeListsAreSane(const NodeLists& lists, const Operators& operators) {
   const std::size_t patches = operators.nodes.patches.size();
   if (operators.coarse && lists.lists.empty()) return lists.entries.empty();
   if (lists.lists.size() != operators.lists.lists.size()) return false;
+  if (lists.constants.lists.size() != lists.lists.size()) return false;
+  if (!gatherListsAreSane(lists.constants, patches)) return false;
   return std::all_of(lists.lists.begin(), lists.lists.end(), [&](const NodeLists::List& list) {
     if (!within(list.first, list.count, lists.entries.size()) || !sane({&list.scale, 1}))
       return false;
@@ -196,12 +201,12 @@ std::string inconsistency(const Operators& operators) {
   if (!texelsAreSane(operators.texels)) return "texels";
   if (!gridsAreSane(operators.texels)) return "grids";
   if (operators.area.size() != slots || operators.sends.size() != slots ||
-      operators.fill_from.size() != slots || !sane(operators.area) || !sane(operators.sends) ||
+      operators.fill_from.size() != slots || operators.buried.size() != slots || !sane(operators.area) || !sane(operators.sends) ||
       !below(operators.fill_from, slots)) {
     return "texel areas";
   }
   if (!nodesAreSane(operators.nodes, operators.texels.receivers)) return "nodes";
-  if (!gatherListsAreSane(operators.lists, slots)) return "gather lists";
+  if (!gatherListsAreSane(operators.lists, FarBlocks::sizeFor(slots))) return "gather lists";
   if (!nodeListsAreSane(operators.node_lists, operators)) return "node lists";
   if (!weightsAreSane(operators)) return "weights";
   return {};

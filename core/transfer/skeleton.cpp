@@ -32,7 +32,8 @@ struct Choice {
 
 /// What one cluster contributes; put together in order afterwards.
 struct ClusterResult {
-  GatherLists lists;
+  GatherLists rays;   ///< texel by texel
+  GatherLists lists;  ///< by blocks where those are far
   std::vector<float> weights;  ///< rank x slots
   std::uint32_t rank = 0;
   Eigen::RowVectorXf list_area;
@@ -71,6 +72,8 @@ class ClusterWorker {
       traceHemisphere(scene_, operators_.texels, r.position(slot), r.normal(slot),
                       settings_.list_rays, settings_.seed * 7919U + 500000003U + slot,
                       operators_.texels.gapReach(slot), scratch_, hits_);
+      result.rays.append(hits_.slots);
+      stepBack(slot, hits_.slots);
       addFields(hits_.slots, ys.row(static_cast<Eigen::Index>(k)).data());
       result.lists.append(hits_.slots);
     }
@@ -83,6 +86,12 @@ class ClusterWorker {
   }
 
  private:
+  void stepBack(std::uint32_t slot, std::span<std::uint32_t> ends) const {
+    const light::Receivers& r = operators_.texels.receivers;
+    fields_.blocks.stepBack(operators_.texels, r.position(slot), r.normal(slot),
+                            1.0F / static_cast<float>(ends.size()), ends);
+  }
+
   void addFields(std::span<const std::uint32_t> slots, float* row) const {
     const float share = 1.0F / static_cast<float>(slots.size());
     const auto count = static_cast<std::size_t>(fields_.count);
@@ -309,8 +318,7 @@ std::vector<std::size_t> chooseRanks(std::span<const Choice> choices, std::size_
 
 /// Texels that take no part show the light of others, and rays meet them at the edges of what
 /// covers them: what arrives from there was sent, too.
-void countUnheard(Operators& operators) {
-  const GatherLists& lists = operators.lists;
+void countUnheard(const GatherLists& lists, Operators& operators) {
   for (std::size_t k = 0; k < lists.lists.size(); ++k) {
     const float worth = operators.list_area[k] * lists.lists[k].scale;
     lists.forEachEntry(lists.lists[k], [&](std::uint32_t slot, std::uint32_t rays) {
@@ -358,11 +366,13 @@ std::uint64_t fillSkeletons(const StaticScene& scene, const TrainingFields& fiel
     }
   });
   std::uint64_t rays = 0;
+  GatherLists by_texel;
   Eigen::RowVectorXd interpolated = Eigen::RowVectorXd::Zero(fields.count);
   for (std::size_t i = 0; i < clusters.size(); ++i) {
     const ClusterResult& r = results[i];
     operators.clusters.push_back({static_cast<std::uint32_t>(operators.lists.lists.size()), r.rank,
                                   operators.weights.size()});
+    by_texel.append(r.rays);
     operators.lists.append(r.lists);
     operators.weights.insert(operators.weights.end(), r.weights.begin(), r.weights.end());
     operators.list_area.insert(operators.list_area.end(), r.list_area.begin(), r.list_area.end());
@@ -372,11 +382,11 @@ std::uint64_t fillSkeletons(const StaticScene& scene, const TrainingFields& fiel
             static_cast<std::uint64_t>(r.rank) *
                 static_cast<std::uint64_t>(settings.list_rays * settings.list_rays);
   }
-  countUnheard(operators);
+  countUnheard(by_texel, operators);
   operators.conserve = trustInConservation(
       fields, {arrived.data(), static_cast<std::size_t>(arrived.size())},
       {interpolated.data(), static_cast<std::size_t>(interpolated.size())}, operators);
-  operators.node_lists = makeNodeLists(operators.lists, operators.nodes);
+  operators.node_lists = makeNodeLists(by_texel, operators.nodes);
   return rays;
 }
 

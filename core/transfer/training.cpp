@@ -132,7 +132,9 @@ TrainingFields makeTrainingFields(const StaticScene& scene, const Operators& ope
     job.report("training lights", static_cast<double>(t) / static_cast<double>(count));
     if (t % per_set == 0) {
       const std::vector<float> by_material = drawReflectances(materials, settings.seed, static_cast<int>(t));
-      for (std::size_t s = 0; s < slots; ++s) rho[s] = by_material[texels.material[s]];
+      for (std::size_t s = 0; s < slots; ++s) {
+        rho[s] = operators.buried[s] != 0 ? 0.0F : by_material[texels.material[s]];
+      }
       const std::span<const float> channel(rho);
       solver = std::make_unique<NodeSolver>(operators.nodes, operators.area, std::span(&channel, 1));
     }
@@ -192,6 +194,9 @@ TrainingFields makeTrainingFields(const StaticScene& scene, const Operators& ope
   // neighbours of a small bright spot are not made from large differences.
   constexpr float kEven = 3.0F;
   for (std::size_t s = 0; s < slots; ++s) fields.value[s * count + count - 1] = kEven;
+  fields.blocks = FarBlocks(texels, operators.area);
+  fields.value.resize(fields.blocks.size() * count);
+  fields.blocks.average(0, slots, count, fields.value);
   return fields;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/transfer/far_blocks.h"
 #include "core/transfer/nodes.h"
 #include "core/transfer/operators.h"
 #include "core/transfer/static_scene.h"
@@ -13,12 +14,13 @@
 namespace soffit::transfer {
 
 /// Radiosity fields that lights in this scene excite: value[slot * count + t], lux of reflected
-/// light for training light t, scaled to an area mean of 1; the last is
-/// even light, 3 everywhere. Positions, sizes, kinds and the
-/// materials' reflectances are drawn at random (fixed seed): never the project's own.
+/// light for training light t, scaled to an area mean of 1; the means of `blocks` follow the slots.
+/// The last is even light, 3 everywhere. Positions, sizes, kinds and the materials' reflectances
+/// are drawn at random (fixed seed): never the project's own.
 struct TrainingFields {
   int count = 0;
   std::vector<float> value;
+  FarBlocks blocks;
 };
 
 /// hits: node_rays^2 texel slots per slot (hemisphere.h), for one bounce at texel resolution.

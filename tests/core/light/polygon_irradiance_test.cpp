@@ -174,5 +174,41 @@ TEST(ContourIrradiance16, EqualsTheScalarForm) {
   EXPECT_GT(compared, 5000);
 }
 
+TEST(DiskIrradiance16, EqualsTheScalarForm) {
+  Rng rng(4);
+  const dvec3 center(0.2, 0.1, 1.0);
+  const dvec3 axis = glm::normalize(dvec3(0.1, -0.2, -1.0));
+  int above = 0;
+  int cut = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    alignas(64) std::array<float, 16> x, y, z, nx, ny, nz;
+    const float spread = trial % 2 == 0 ? 6.0F : 1.0F;
+    for (std::size_t i = 0; i < 16; ++i) {
+      const vec3 n = uniformSphere(rng.uniform(), rng.uniform());
+      x[i] = spread * (rng.uniform() - 0.5F);
+      y[i] = spread * (rng.uniform() - 0.5F);
+      z[i] = 1.1F - 0.5F * spread * rng.uniform();
+      nx[i] = n.x;
+      ny[i] = n.y;
+      nz[i] = n.z;
+    }
+    const MaskReceivers r{x.data(), y.data(), z.data(), nx.data(), ny.data(), nz.data()};
+    std::array<double, 16> value;
+    std::uint32_t clipped = 0;
+    diskIrradiance16(center, axis, 0.3, r, value.data(), clipped);
+    for (std::size_t i = 0; i < 16; ++i) {
+      if ((clipped >> i & 1U) != 0U) {
+        ++cut;
+        continue;
+      }
+      const double scalar = diskIrradiance(center, axis, 0.3, dvec3(x[i], y[i], z[i]), dvec3(nx[i], ny[i], nz[i]));
+      if (scalar > 0.0) ++above;
+      EXPECT_NEAR(value[i], scalar, 200 * kEps);
+    }
+  }
+  EXPECT_GT(above, 1500);
+  EXPECT_GT(cut, 100);
+}
+
 }  // namespace
 }  // namespace soffit::light

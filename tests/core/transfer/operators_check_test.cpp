@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/transfer/operators_check.h"
 
+#include "core/transfer/far_blocks.h"
+
 #include "core/transfer/kernels.h"
 #include "core/transfer/node_kernels.h"
 #include "core/transfer/node_solver.h"
@@ -53,20 +55,18 @@ TEST(Inconsistency, NamesThePart) {
   EXPECT_EQ(after([](Operators& o) { o.nodes.matrix.first.pop_back(); }), "nodes");
   EXPECT_EQ(after([](Operators& o) { o.nodes.matrix.blocks[3].sender = 5000; }), "nodes");
   EXPECT_EQ(after([&](Operators& o) { o.nodes.matrix.blocks[3].value[8] = nan; }), "nodes");
-  EXPECT_EQ(after([](Operators& o) { o.lists.pages[0] = 9; }), "gather lists");
-  EXPECT_EQ(after([](Operators& o) { o.lists.pages.pop_back(); }), "gather lists");
-  EXPECT_EQ(after([](Operators& o) { o.lists.entries.back() = 0xfff0; }), "gather lists");
-  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().mixed += 1; }), "gather lists");
-  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().first_group += 1; }), "gather lists");
-  EXPECT_EQ(after([](Operators& o) {  // entries with codes, taken for single rays
-              GatherLists::List& list = o.lists.lists[0];
-              list.single += list.mixed;
-              list.mixed = 0;
-            }),
-            "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.entries.pop_back(); }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.entries.back() = 0xfffffff0U; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().groups += 1; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().rest = 4; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.lists.lists.back().first += 1; }), "gather lists");
+  // A code where an offset is read as it stands.
+  EXPECT_EQ(after([](Operators& o) { o.lists.entries[o.lists.lists[0].first + 1] |= 1U; }), "gather lists");
+  EXPECT_EQ(after([](Operators& o) { o.node_lists.constants.entries[0] = 0xfffffff0U; }), "node lists");
+  EXPECT_EQ(after([](Operators& o) { o.node_lists.constants.lists.pop_back(); }), "node lists");
   EXPECT_EQ(after([](Operators& o) {
               const NodeLists::List& list = o.node_lists.lists[0];
-              for (std::uint32_t k = 0; k < list.count; ++k) o.node_lists.entries[k].gap = 255;
+              for (std::uint32_t k = 0; k < list.count; ++k) o.node_lists.entries[k].gap = 65535;
             }),
             "node lists");
   EXPECT_EQ(after([](Operators& o) { o.node_lists.lists[0].first = 1U << 31U; }), "node lists");
@@ -88,12 +88,12 @@ float use(const Operators& o, std::size_t triangles) {
       for (int i = 0; i < count; ++i) sum += o.area[near[static_cast<std::size_t>(i)]];
     }
   }
-  const std::vector<vec4> x(slots, vec4(1.0F));
+  const std::vector<vec4> x(FarBlocks::sizeFor(slots), vec4(1.0F));
   const std::vector<PatchLight> b(o.nodes.patches.size());
-  const std::vector<std::uint8_t> lit(slots / GatherLists::kPage + 1, 1);
+  const std::vector<vec4> constants(b.size());
   std::vector<vec4> y(o.lists.lists.size());
-  gather(o.lists, 0, x, lit, y);
-  if (!o.coarse) gatherNodes(o.node_lists, 0, b, y);
+  gather(o.lists, 0, x, y);
+  if (!o.coarse) gatherNodes(o.node_lists, 0, b, constants, y);
   std::vector<float> plane(slots, 0.0F);
   for (std::size_t i = 0; i < o.clusters.size(); ++i) {
     const light::Receivers::Cluster& c = o.texels.receivers.clusters[i];

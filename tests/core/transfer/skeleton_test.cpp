@@ -2,6 +2,8 @@
 // What the bake leaves behind: skeleton points, weights and the training that chose them.
 #include "core/transfer/skeleton.h"
 
+#include "core/transfer/far_blocks.h"
+
 #include "core/transfer/kernels.h"
 #include "tests/core/transfer/rooms.h"
 
@@ -37,9 +39,12 @@ const Operators& ordinary() {
 }
 
 /// Light at all slots that the skeletons give for radiosity x: W gather(x).
-std::vector<float> spread(const Operators& op, const std::vector<vec4>& x) {
+std::vector<float> spread(const Operators& op, std::vector<vec4> x) {
+  const FarBlocks blocks(op.texels, op.area);
+  x.resize(blocks.size());
+  blocks.average(0, blocks.slotCount(), x);
   std::vector<vec4> y(op.lists.lists.size());
-  gather(op.lists, 0, x, {}, y);
+  gather(op.lists, 0, x, y);
   std::vector<float> out(op.texels.slotCount(), 0.0F);
   std::vector<float> rest(op.texels.slotCount(), 0.0F);
   for (std::size_t k = 0; k < op.clusters.size(); ++k) {
@@ -189,6 +194,7 @@ TEST(Training, FieldsAreDeterministicFiniteAndOfMeanOne) {
   op.texels = makeTexels(*scene->mesh, scene->sides, 0.2, &scene->caster);
   op.area = op.texels.area;
   op.fill_from.resize(op.area.size());
+  op.buried.assign(op.area.size(), 0);
   for (std::uint32_t s = 0; s < op.fill_from.size(); ++s) {
     op.fill_from[s] = op.texels.receivers.slot_of[op.texels.receivers.point_of[s]];
   }
@@ -201,7 +207,7 @@ TEST(Training, FieldsAreDeterministicFiniteAndOfMeanOne) {
   const TrainingFields b = makeTrainingFields(*scene, op, hits, 16, s, {});
   EXPECT_EQ(a.value, b.value);
   ASSERT_EQ(a.count, s.trainings);
-  ASSERT_EQ(a.value.size(), op.area.size() * static_cast<std::size_t>(a.count));
+  ASSERT_EQ(a.value.size(), FarBlocks::sizeFor(op.area.size()) * static_cast<std::size_t>(a.count));
   const auto count = static_cast<std::size_t>(a.count);
   double area = 0.0;
   std::vector<double> mean(count, 0.0);
