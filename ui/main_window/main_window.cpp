@@ -17,6 +17,7 @@
 #include <QStatusBar>
 #include <QTimer>
 #include <QUndoGroup>
+#include <QUndoView>
 
 namespace soffit::ui {
 namespace {
@@ -33,6 +34,7 @@ MainWindow::MainWindow()
       start_(new StartPage),
       undo_(new QUndoGroup(this)) {
   setObjectName(QStringLiteral("main"));
+  workspace_.history->setGroup(undo_);
   // In a scroll area, for its size must not decide how small the window can be.
   auto* start = new QScrollArea;
   start->setWidget(start_);

@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QStatusBar>
+#include <QUndoView>
 
 namespace soffit::ui {
 namespace {
@@ -48,6 +49,9 @@ Workspace makeWorkspace(QMainWindow& window) {
   w.view = new ViewPanel;
   w.results = new ResultsPanel;
   w.log = new LogPanel;
+  w.history = new QUndoView;
+  w.history->setEmptyLabel(tr("As it was opened"));
+  w.history->setToolTip(tr("A click goes back or forward to that step"));
   w.status = new StatusLine(window.statusBar());
   window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
                         QMainWindow::AllowNestedDocks);
@@ -69,9 +73,12 @@ Workspace makeWorkspace(QMainWindow& window) {
   QDockWidget* results =
       dock(window, w, Qt::BottomDockWidgetArea, tr("Results"), "results", w.results);
   QDockWidget* log = dock(window, w, Qt::BottomDockWidgetArea, tr("Log"), "log", w.log);
+  QDockWidget* history =
+      dock(window, w, Qt::BottomDockWidgetArea, tr("History"), "history", w.history);
   window.splitDockWidget(layouts, lights, Qt::Horizontal);
   window.tabifyDockWidget(lights, results);
   window.tabifyDockWidget(results, log);
+  window.tabifyDockWidget(log, history);
   lights->raise();
   window.tabifyDockWidget(properties, materials);
   properties->raise();

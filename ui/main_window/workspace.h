@@ -15,6 +15,7 @@
 
 class QDockWidget;
 class QMainWindow;
+class QUndoView;
 
 namespace soffit::ui {
 
@@ -30,6 +31,7 @@ struct Workspace {
   ViewPanel* view = nullptr;
   ResultsPanel* results = nullptr;
   LogPanel* log = nullptr;
+  QUndoView* history = nullptr;  ///< the steps that can be undone; the window says whose
   StatusLine* status = nullptr;
   std::vector<QDockWidget*> docks;
 };

@@ -23,6 +23,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QUndoView>
 
 namespace soffit::ui {
 
@@ -89,6 +90,25 @@ class MainWindowTest : public QObject {
     while (document().undoStack()->canUndo()) document().undoStack()->undo();
     QCOMPARE(document().luminaires().size(), count);
     QVERIFY(document().luminaires().front().on);
+  }
+
+  void theHistoryGoesBackToAnyStep() {
+    auto* history = window_->findChild<QUndoView*>();
+    QVERIFY(history != nullptr);
+    const std::size_t count = document().luminaires().size();
+    QCOMPARE(history->model()->rowCount(), 1);  // as it was opened
+    for (int i = 0; i < 3; ++i) {
+      selectFirst();
+      trigger(QStringLiteral("&Duplicate"));
+    }
+    QCOMPARE(history->model()->rowCount(), 4);
+    history->setCurrentIndex(history->model()->index(1, 0));
+    QCOMPARE(document().luminaires().size(), count + 1);
+    history->setCurrentIndex(history->model()->index(0, 0));
+    QCOMPARE(document().luminaires().size(), count);
+    history->setCurrentIndex(history->model()->index(3, 0));
+    QCOMPARE(document().luminaires().size(), count + 3);
+    while (document().undoStack()->canUndo()) document().undoStack()->undo();
   }
 
   void layoutsAreDuplicatedAndChosen() {
