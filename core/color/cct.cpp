@@ -2,6 +2,8 @@
 #include "core/color/cct.h"
 
 #include <cmath>
+#include <cstddef>
+#include <unordered_map>
 
 namespace soffit::color {
 namespace {
@@ -30,15 +32,25 @@ double relativePlanck(double nm, double cct_k) {
   return std::pow(kRefNm / nm, 5.0) * ratio;
 }
 
-}  // namespace
-
-dvec3 planckianXyz(double cct_k) {
+dvec3 integratedXyz(double cct_k) {
   dvec3 sum(0.0);
   // The integrand vanishes at both ends, so the midpoint sum converges fast.
   for (double nm = 360.5; nm < 830.0; nm += 1.0) {
     sum += relativePlanck(nm, cct_k) * matchingFunctions(nm);
   }
   return sum / sum.y;
+}
+
+}  // namespace
+
+dvec3 planckianXyz(double cct_k) {
+  // The integral takes 0.1 ms, luminaires ask for it at each move, and a project has a handful of
+  // temperatures.
+  constexpr std::size_t kMost = 256;
+  thread_local std::unordered_map<double, dvec3> known;
+  if (const auto found = known.find(cct_k); found != known.end()) return found->second;
+  if (known.size() >= kMost) known.clear();
+  return known[cct_k] = integratedXyz(cct_k);
 }
 
 dvec3 rec709FromXyz(const dvec3& xyz) {

@@ -9,6 +9,7 @@
 #include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QSurfaceFormat>
+#include <QTimer>
 
 #include <sys/resource.h>
 
@@ -38,9 +39,13 @@ template <class Done>
 bool waitFor(const Done& done, int most_ms) {
   QElapsedTimer timer;
   timer.start();
+  // Wakes the loop, which sleeps in between as in the application: a loop that turns on the spot
+  // would take a core from the light.
+  QTimer wake;
+  wake.start(2);
   while (!done()) {
     if (timer.elapsed() > most_ms) return false;
-    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 5);
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
   return true;
 }
