@@ -21,6 +21,8 @@ struct DisplayChoice {
   std::string display = "sRGB";
   std::string view = "Filmic";
   std::string look;  ///< empty: none
+
+  friend bool operator==(const DisplayChoice&, const DisplayChoice&) = default;
 };
 
 /// A view transform of OpenColorIO, ready to run. Immutable, cheap to copy, usable from any thread.

@@ -25,6 +25,8 @@ struct FalseColorRange {
 
   /// Place of a value in the range: 0 at or below min, 1 at or above max. NaN gives 0.
   [[nodiscard]] float place(float lux) const;
+
+  friend bool operator==(const FalseColorRange&, const FalseColorRange&) = default;
 };
 
 /// sRGB code values (0..1) at a place in 0..1; values outside are clamped, NaN counts as 0.

@@ -6,10 +6,20 @@
 #include <algorithm>
 
 namespace soffit::ui {
+namespace {
+
+/// Readings cost as much as the picture's light: in a drag, where both want the same cores, numbers
+/// that change four times a second are all that can be read anyway.
+constexpr int kPauseMs = 250;
+
+}  // namespace
 
 LiveReadings::LiveReadings(Document& document, Relighting& relighting, QObject* parent)
     : QObject(parent), document_(document), relighting_(relighting) {
-  connect(&relighting_, &Relighting::frameChanged, this, &LiveReadings::request);
+  connect(&relighting_, &Relighting::frameChanged, this, &LiveReadings::onFrame);
+  pause_.setSingleShot(true);
+  pause_.setInterval(kPauseMs);
+  connect(&pause_, &QTimer::timeout, this, &LiveReadings::request);
   connect(&worker_, &ReadingsWorker::failed, this, &LiveReadings::failed);
   connect(&worker_, &ReadingsWorker::ready, this, [this] {
     ReadingsPtr readings = worker_.take();
@@ -33,7 +43,17 @@ bool LiveReadings::isCurrent() const {
          std::ranges::all_of(readings_->layouts, &LayoutReading::current);
 }
 
+void LiveReadings::onFrame() {
+  if (!document_.previewing()) {
+    request();
+  } else if (!pause_.isActive()) {
+    // Of the place that the hand has reached by then.
+    pause_.start();
+  }
+}
+
 void LiveReadings::request() {
+  pause_.stop();
   const LightFramePtr& frame = relighting_.frame();
   if (frame == nullptr) return;
   ReadingsRequest request;

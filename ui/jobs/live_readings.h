@@ -5,6 +5,7 @@
 #include "ui/jobs/relighting.h"
 
 #include <QObject>
+#include <QTimer>
 
 namespace soffit::ui {
 
@@ -27,6 +28,7 @@ class LiveReadings : public QObject {
   void failed(const QString& message);
 
  private:
+  void onFrame();
   void request();
 
   Document& document_;
@@ -34,6 +36,7 @@ class LiveReadings : public QObject {
   ReadingsWorker worker_;
   ReadingsPtr readings_;
   bool base_wanted_ = false;
+  QTimer pause_;  ///< runs after a reading in a drag
 };
 
 }  // namespace soffit::ui

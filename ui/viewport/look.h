@@ -15,6 +15,8 @@ struct Look {
   /// Takes the false colours of a difference (render::differenceColor) with grey luminaires, over
   /// `range`; light that is a difference is made by differenceLight().
   bool difference = false;
+
+  friend bool operator==(const Look&, const Look&) = default;
 };
 
 }  // namespace soffit::ui

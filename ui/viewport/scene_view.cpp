@@ -22,11 +22,11 @@ constexpr vec3 kPlanColor{0.95F, 0.86F, 0.62F};
 constexpr double kPlanSteepness = -0.7;
 constexpr vec3 kHoveredColor{0.98F, 0.98F, 0.98F};
 /// Frames slower than this are drawn with fewer pixels while things move.
-constexpr double kFluentMs = 30.0;
+constexpr double kFluentMs = 15.0;
 constexpr int kRestMs = 80;
 /// Where pictures are slow, one that shows a luminaire at its new place waits so long for its
 /// light.
-constexpr int kLateMs = 60;
+constexpr int kLateMs = 150;
 constexpr double kNearest = 0.03;
 
 }  // namespace
@@ -133,6 +133,7 @@ void SceneView::setLuminaires(std::shared_ptr<const EmitterSet> luminaires) {
 }
 
 void SceneView::setSelection(const QStringList& names) {
+  if (names == selection_) return;
   selection_ = names;
   restart();
 }
@@ -150,8 +151,11 @@ void SceneView::setGizmoHighlight(GizmoPart part) {
 }
 
 Result<void> SceneView::setLook(const Look& look) {
+  // The panel says it at every change of the scene: at each place in a drag.
+  if (look_given_ && look == look_) return {};
   if (const auto set = pass().display.setLook(look); !set) return set.error();
   look_ = look;
+  look_given_ = true;
   restart();
   return {};
 }

@@ -116,6 +116,7 @@ class SceneView : public VtkView {
   QStringList selection_;
   std::string hovered_;
   Look look_;
+  bool look_given_ = false;
   ViewCamera view_;
   std::shared_ptr<const DisplayMesh> mesh_;
   std::shared_ptr<const relight::Solver> mesh_solver_;
