@@ -127,7 +127,7 @@ dvec3 Solver::sendDirect(const Column& column, std::span<const float> open,
 }
 
 void Solver::firstBounce(Column& column, std::span<const float> open,
-                         std::span<transfer::PatchLight> sent, Planes* e1) const {
+                         std::span<transfer::PatchLight> sent) const {
   const transfer::Operators& op = *operators_;
   const auto& clusters = op.texels.receivers.clusters;
   std::vector<vec4> x(blocks_.size(), vec4(0.0F));
@@ -143,18 +143,19 @@ void Solver::firstBounce(Column& column, std::span<const float> open,
       const std::span<vec4> own =
           std::span(y).subspan(op.clusters[i].first_list, op.clusters[i].rank);
       for (vec4& v : own) v *= scale;
-      if (open.empty()) {
-        for (std::uint32_t p = first_patch_[i]; p < first_patch_[i + 1]; ++p) {
-          sent[p] = transfer::sentOn(patch_weights_, p, own);
-        }
+      if (!open.empty()) {
+        sendCovered(own, open, i, sent);
+        continue;
       }
-      if (!open.empty() || e1 != nullptr) interpolateFirst(own, open, i, sent, e1);
+      for (std::uint32_t p = first_patch_[i]; p < first_patch_[i + 1]; ++p) {
+        sent[p] = transfer::sentOn(patch_weights_, p, own);
+      }
     }
   });
 }
 
-void Solver::interpolateFirst(std::span<const vec4> y, std::span<const float> open, std::size_t i,
-                              std::span<transfer::PatchLight> sent, Planes* e1) const {
+void Solver::sendCovered(std::span<const vec4> y, std::span<const float> open, std::size_t i,
+                         std::span<transfer::PatchLight> sent) const {
   const transfer::Operators& op = *operators_;
   const light::Receivers::Cluster& c = op.texels.receivers.clusters[i];
   const std::size_t slots = c.end - c.begin;
@@ -163,11 +164,9 @@ void Solver::interpolateFirst(std::span<const vec4> y, std::span<const float> op
   transfer::interpolate(
       std::span(op.weights).subspan(op.clusters[i].first_weight, y.size() * slots), y, slots,
       e[0].data(), e[1].data(), e[2].data());
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (e1 != nullptr) std::copy_n(e[k].begin(), slots, (*e1)[k].begin() + c.begin);
-    for (std::size_t s = 0; s < slots && !open.empty(); ++s) e[k][s] *= open[c.begin + s];
+  for (auto& plane : e) {
+    for (std::size_t s = 0; s < slots; ++s) plane[s] *= open[c.begin + s];
   }
-  if (open.empty()) return;
   const auto& rho = reflectances_.rho;
   for (std::uint32_t p = first_patch_[i]; p < first_patch_[i + 1]; ++p) {
     const transfer::Nodes::Patch& patch = op.nodes.patches[p];
@@ -197,25 +196,23 @@ void Solver::addFromNodes(std::span<const transfer::PatchLight> sent, std::vecto
   for (std::size_t k = 0; k < y.size(); ++k) y[k] += scale * more[k];
 }
 
-void Solver::radiosityOf(const Column& column, std::span<const float> open, const Planes* e1,
-                         std::span<const transfer::PatchLight> more,
+void Solver::radiosityOf(const Column& column, std::span<const float> open,
                          std::vector<vec4>& source) const {
   const transfer::Operators& op = *operators_;
+  const auto& clusters = op.texels.receivers.clusters;
+  Planes e;
+  for (auto& plane : e) plane.assign(op.texels.slotCount(), 0.0F);
+  parallelFor(clusters.size(), 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) addIndirect(column, vec4(1.0F), i, e);
+  });
   source.assign(op.texels.slotCount(), vec4(0.0F));
-  parallelFor(op.nodes.patches.size(), 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const transfer::Nodes::Patch& p = op.nodes.patches[i];
-      for (std::uint32_t s = p.begin; s < p.end; ++s) {
-        const std::uint32_t from = op.fill_from[s];
-        const float shown = open.empty() ? 1.0F : open[s];
-        const vec4 value =
-            more[i].c[0] + more[i].c[1] * op.nodes.phi[s].x + more[i].c[2] * op.nodes.phi[s].y;
-        for (std::size_t c = 0; c < 3; ++c) {
-          const float first = e1 != nullptr ? std::max(0.0F, (*e1)[c][from]) : 0.0F;
-          const float e = std::max(0.0F, value[static_cast<int>(c)]) + first;
-          source[s][static_cast<int>(c)] =
-              reflectances_.rho[c][s] * (directAt(column, open, s) + shown * e);
-        }
+  parallelFor(source.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      const float shown = open.empty() ? 1.0F : open[s];
+      const float direct = directAt(column, open, s);
+      for (std::size_t c = 0; c < 3; ++c) {
+        source[s][static_cast<int>(c)] =
+            reflectances_.rho[c][s] * (direct + shown * e[c][op.fill_from[s]]);
       }
     }
   });
@@ -237,7 +234,7 @@ void Solver::coarseIndirect(Column& column, std::span<const float> open,
   column.skeleton.clear();
   column.node.resize(sent.size());
   nodes_->solve(sent, column.node);
-  if (source != nullptr) radiosityOf(column, open, nullptr, column.node, *source);
+  if (source != nullptr) radiosityOf(column, open, *source);
 }
 
 void Solver::indirect(Column& column, std::span<const float> open, std::vector<vec4>* source,
@@ -249,10 +246,8 @@ void Solver::indirect(Column& column, std::span<const float> open, std::vector<v
     return;
   }
   Lap lap;
-  Planes e1;
-  for (auto& plane : e1) plane.resize(source != nullptr ? op.texels.slotCount() : 0);
   std::vector<transfer::PatchLight> sent(op.nodes.patches.size());
-  firstBounce(column, open, sent, source != nullptr ? &e1 : nullptr);
+  firstBounce(column, open, sent);
   if (times != nullptr) times->first_bounce += lap.ms();
   std::vector<transfer::PatchLight> more(sent.size());
   std::vector<transfer::PatchLight> sent_on(sent.size());
@@ -264,12 +259,11 @@ void Solver::indirect(Column& column, std::span<const float> open, std::vector<v
   if (times != nullptr) times->nodes += lap.ms();
   addFromNodes(sent, column.skeleton);
   if (times != nullptr) times->gather += lap.ms();
-  if (source != nullptr) radiosityOf(column, open, &e1, more, *source);
+  if (source != nullptr) radiosityOf(column, open, *source);
 }
 
 void Solver::addCluster(const Column& column, const vec4& w, std::size_t i, Planes& total) const {
-  const transfer::Operators& op = *operators_;
-  const light::Receivers::Cluster& c = op.texels.receivers.clusters[i];
+  const light::Receivers::Cluster& c = operators_->texels.receivers.clusters[i];
   float* r = &total[0][c.begin];
   float* g = &total[1][c.begin];
   float* b = &total[2][c.begin];
@@ -279,6 +273,16 @@ void Solver::addCluster(const Column& column, const vec4& w, std::size_t i, Plan
     transfer::addScaled(w.y, &column.direct[c.begin], g, slots);
     transfer::addScaled(w.z, &column.direct[c.begin], b, slots);
   }
+  addIndirect(column, w, i, total);
+}
+
+void Solver::addIndirect(const Column& column, const vec4& w, std::size_t i, Planes& total) const {
+  const transfer::Operators& op = *operators_;
+  const light::Receivers::Cluster& c = op.texels.receivers.clusters[i];
+  float* r = &total[0][c.begin];
+  float* g = &total[1][c.begin];
+  float* b = &total[2][c.begin];
+  const std::size_t slots = c.end - c.begin;
   if (!column.skeleton.empty()) {
     const transfer::ClusterWeights& cw = op.clusters[i];
     std::array<vec4, 256> y;

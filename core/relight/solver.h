@@ -90,17 +90,17 @@ class Solver {
  private:
   using Planes = std::array<std::vector<float>, 3>;
   void addCluster(const Column& column, const vec4& weight, std::size_t cluster, Planes& total) const;
+  void addIndirect(const Column& column, const vec4& weight, std::size_t cluster, Planes& total) const;
   void coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const;
-  /// Skeleton and what the patches send after it; e1: its light per slot, if wanted.
-  void firstBounce(Column& column, std::span<const float> open, std::span<transfer::PatchLight> sent, Planes* e1) const;
+  /// Skeleton and what the patches send after it.
+  void firstBounce(Column& column, std::span<const float> open, std::span<transfer::PatchLight> sent) const;
   /// Radiosity of direct light per slot and block, and the sum that stays in the scene.
   dvec3 sendDirect(const Column& column, std::span<const float> open, std::span<vec4> x) const;
-  void interpolateFirst(std::span<const vec4> y, std::span<const float> open, std::size_t cluster,
-                        std::span<transfer::PatchLight> sent, Planes* e1) const;
+  void sendCovered(std::span<const vec4> y, std::span<const float> open, std::size_t cluster,
+                   std::span<transfer::PatchLight> sent) const;
   void addFromNodes(std::span<const transfer::PatchLight> sent, std::vector<vec4>& y) const;
   [[nodiscard]] vec4 conservingScale(const dvec3& sent, std::span<const vec4> y) const;
-  void radiosityOf(const Column& column, std::span<const float> open, const Planes* e1,
-                   std::span<const transfer::PatchLight> more, std::vector<vec4>& source) const;
+  void radiosityOf(const Column& column, std::span<const float> open, std::vector<vec4>& source) const;
   [[nodiscard]] float directAt(const Column& column, std::span<const float> open, std::size_t slot) const {
     const float e = column.direct[operators_->fill_from[slot]];
     return open.empty() ? e : e * open[slot];

@@ -29,7 +29,7 @@ struct BakeSettings {
   int field_rays = 24;          ///< squared: rays per texel for the training fields
   int list_rays = 32;           ///< squared: rays per skeleton point
   int max_rank = 48;            ///< skeleton points per cluster at most
-  double lists = 0.25;          ///< skeleton points per texel at most, where they tell most
+  double lists = 0.22;          ///< skeleton points per texel at most, where they tell most
   double tolerance = 0.05;      ///< a skeleton point that tells less than this share of the mean is left out
   std::uint64_t seed = 1;
 };
