@@ -16,6 +16,7 @@ class QUndoGroup;
 
 namespace soffit::ui {
 
+class KeyBindings;
 class LoadJob;
 
 /// The window: start page or workspace, and the menus. Assembles; what happens lies in the parts.
@@ -33,6 +34,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] ProjectFiles& files() { return files_; }
   [[nodiscard]] ProjectSession* session() { return session_.get(); }
   [[nodiscard]] Workspace& workspace() { return workspace_; }
+  [[nodiscard]] KeyBindings& keys() { return *keys_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -69,6 +71,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* pages_;
   StartPage* start_;
   QUndoGroup* undo_;
+  KeyBindings* keys_ = nullptr;
   QList<QAction*> project_actions_;
   QByteArray docks_;  ///< their places while the start page is shown
   std::unique_ptr<LoadJob> load_;

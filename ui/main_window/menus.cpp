@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The menus of the main window: what stands in them and what it calls.
 #include "ui/actions/actions.h"
+#include "ui/actions/command_palette.h"
 #include "ui/actions/file_dialogs.h"
+#include "ui/actions/keys_dialog.h"
 #include "ui/document/recent_files.h"
 #include "ui/main_window/main_window.h"
 #include "ui/widgets/theme.h"
@@ -38,6 +40,7 @@ void MainWindow::makeMenus() {
   makeResultsMenu();
   makeLayoutsMenu();
   makeOtherMenus();
+  keys_ = new KeyBindings(*menuBar(), this);
 }
 
 void MainWindow::makeViewMenu() {
@@ -84,30 +87,15 @@ void MainWindow::makeOtherMenus() {
     forProject(dock->toggleViewAction());
   }
   QMenu& help = *menuBar()->addMenu(tr("&Help"));
-  addEntry(help, {tr("&Mouse and keys"), QKeySequence::HelpContents, {}}, this, [this] {
-    QMessageBox::information(
-        this, tr("Mouse and keys"),
-        tr("<table cellspacing=6>"
-           "<tr><td>Left</td><td>select; drag a luminaire or the gizmo; elsewhere orbit</td></tr>"
-           "<tr><td>Shift, Ctrl + click</td><td>add, remove; drag from an empty place for a rubber "
-           "band</td></tr>"
-           "<tr><td>Shift + drag a luminaire</td><td>a copy</td></tr>"
-           "<tr><td>Middle, Shift + right</td><td>pan</td></tr>"
-           "<tr><td>Right</td><td>look round</td></tr>"
-           "<tr><td>Wheel</td><td>toward what is under the cursor</td></tr>"
-           "<tr><td>W, E, R</td><td>move, rotate, resize</td></tr>"
-           "<tr><td>While dragging</td><td>X, Y, Z lock an axis; type a value: 1.2, 120 cm; Ctrl: "
-           "whole steps; Alt: no snapping; Enter: done</td></tr>"
-           "<tr><td>Esc</td><td>give up a drag, select nothing</td></tr>"
-           "<tr><td>F</td><td>false colours</td></tr>"
-           "<tr><td>V</td><td>next layout</td></tr>"
-           "<tr><td>O</td><td>switch on or off</td></tr>"
-           "<tr><td>A</td><td>aim at a point</td></tr>"
-           "<tr><td>1 to 9, Ctrl+1 to 9</td><td>recall, store a light scene</td></tr>"
-           "<tr><td>H, Shift+H, Ctrl+H</td><td>hide, hide others, show all</td></tr>"
-           "<tr><td>Home, period</td><td>frame all, frame the selection</td></tr>"
-           "<tr><td>Ctrl+Up, Ctrl+Down</td><td>exposure by a quarter stop</td></tr></table>"));
-  });
+  addEntry(help,
+           {tr("&Commands..."), QKeySequence(tr("Ctrl+Shift+P")),
+            tr("Run any command by a few letters of its name")},
+           this, [this] { (new CommandPalette(commandsOf(*menuBar()), this))->show(); });
+  QAction* keys = addEntry(help,
+                           {tr("&Mouse and keys"), QKeySequence::HelpContents,
+                            tr("What the mouse does, and the keys of all commands, to change")},
+                           this, [this] { (new KeysDialog(*keys_, this))->show(); });
+  keys->setShortcuts({QKeySequence(QKeySequence::HelpContents), QKeySequence(tr("?"))});
   addEntry(help, {tr("&About Soffit"), {}, {}}, this, [this] { showAbout(); });
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/io/image/read_image.h"
 #include "ui/actions/file_dialogs.h"
+#include "ui/actions/key_bindings.h"
 #include "ui/document/material_edits.h"
 #include "ui/document/mixing.h"
 #include "ui/document/recent_files.h"
@@ -64,6 +65,21 @@ class MainWindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(lit(), kPatienceMs);
   }
   void cleanup() { window_.reset(); }
+
+  void presetsNameCommandsThatThereAre() {
+    KeyBindings& keys = window_->keys();
+    keys.setPreset(QStringLiteral("Blender"));
+    QCOMPARE(keys.keys(QStringLiteral("Edit/Move")), QKeySequence(Qt::Key_G));
+    for (const QString& preset : KeyBindings::presets()) {
+      for (const QString& id : KeyBindings::commandsOfPreset(preset)) {
+        const auto& all = keys.commands();
+        QVERIFY2(std::any_of(all.begin(), all.end(), [&](const Command& c) { return c.id == id; }),
+                 qPrintable(preset + QStringLiteral(": ") + id));
+      }
+    }
+    keys.setPreset(QStringLiteral("Soffit"));
+    QCOMPARE(keys.keys(QStringLiteral("Edit/Move")), QKeySequence(Qt::Key_W));
+  }
 
   void theProjectIsRemembered() {
     QVERIFY(recentFiles().contains(QFileInfo(project_).absoluteFilePath()));

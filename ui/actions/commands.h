@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QAction>
+#include <QMenuBar>
+#include <QString>
+
+#include <vector>
+
+namespace soffit::ui {
+
+/// An entry of the menus.
+struct Command {
+  QString id;     ///< its place and name without marks: "Edit/Snap to/Grid"
+  QString place;  ///< for people: "Edit › Snap to"
+  QString name;   ///< without the mark of its mnemonic and without "..."
+  QAction* action = nullptr;
+};
+
+/// All entries of a menu bar in the order in which they stand there; separators and menus
+/// themselves left out.
+std::vector<Command> commandsOf(const QMenuBar& menus);
+
+/// Those that may be run now and hold all words of `text` (in any order and case), the ones whose
+/// name begins with it first.
+std::vector<Command> commandsMatching(const std::vector<Command>& commands, const QString& text);
+
+}  // namespace soffit::ui
