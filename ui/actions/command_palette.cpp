@@ -22,7 +22,10 @@ const QString kLatestKey = QStringLiteral("keys/latest");
 }  // namespace
 
 CommandPalette::CommandPalette(std::vector<Command> commands, QWidget* parent)
-    : QDialog(parent), commands_(std::move(commands)), line_(new QLineEdit), list_(new QTreeWidget) {
+    : QDialog(parent),
+      commands_(std::move(commands)),
+      line_(new QLineEdit),
+      list_(new QTreeWidget) {
   setObjectName(QStringLiteral("palette"));
   setWindowTitle(tr("Commands"));
   setAttribute(Qt::WA_DeleteOnClose);

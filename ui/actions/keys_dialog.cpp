@@ -46,9 +46,10 @@ KeysDialog::KeysDialog(KeyBindings& bindings, QWidget* parent)
   connect(preset_, &QComboBox::textActivated, &bindings_, &KeyBindings::setPreset);
   connect(edit_, &QKeySequenceEdit::keySequenceChanged, this, [this](const QKeySequence& keys) {
     const Command* other = bindings_.takenBy(keys, current());
-    conflict_->setText(other == nullptr ? QString()
-                                        : tr("%1 › %2 has these keys and will lose them.")
-                                              .arg(other->place, other->name));
+    conflict_->setText(
+        other == nullptr
+            ? QString()
+            : tr("%1 › %2 has these keys and will lose them.").arg(other->place, other->name));
   });
   connect(assign_, &QPushButton::clicked, this, &KeysDialog::assign);
   connect(reset_, &QPushButton::clicked, this, [this] { bindings_.reset(current()); });
