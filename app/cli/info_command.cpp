@@ -54,7 +54,7 @@ Result<void> runInfo(const CommonOptions& options) {
   const scene::Scene& scene = project->scene;
   const auto cost = costOf(scene);
   InfoReport report{
-      demandOf(scene), cost ? *cost : Cost(), {}, scene::materialAreas(scene), project->warnings};
+      scene::demandOf(scene), cost ? *cost : Cost(), {}, scene::materialAreas(scene), project->warnings};
   // What nothing can be computed with is still worth looking at.
   if (!cost) report.warnings.push_back(cost.error().message());
   const geometry::RayCaster caster(scene.mesh->positions, scene.mesh->triangles);

@@ -210,7 +210,7 @@ std::string toText(const io::Project& project, const InfoReport& report) {
   lines.add("cost", fmt::format("about {} points to light, {:.0f} s to bake once, {:.0f} MB",
                                 report.cost.receivers, report.cost.bake_s, report.cost.megabytes));
   for (const std::string& needed : report.demand.needed) lines.add("needed", needed);
-  for (const Demand::Skip& skip : report.demand.skipped) {
+  for (const scene::Demand::Skip& skip : report.demand.skipped) {
     lines.add("skipped", fmt::format("{}: {}", skip.what, skip.why));
   }
   for (const std::string& warning : report.warnings) lines.add("warning", warning);
@@ -221,7 +221,7 @@ std::string toText(const io::Project& project, const InfoReport& report) {
 io::Json toJson(const io::Project& project, const InfoReport& report) {
   const scene::Scene& scene = project.scene;
   io::JsonArray skipped;
-  for (const Demand::Skip& skip : report.demand.skipped) {
+  for (const scene::Demand::Skip& skip : report.demand.skipped) {
     skipped.push_back(io::Json::object({{"what", skip.what}, {"why", skip.why}}));
   }
   return io::Json::object({{"name", scene.name},

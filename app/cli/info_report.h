@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "app/cli/demand.h"
 #include "core/geometry/spaces.h"
 #include "core/io/project/json.h"
 #include "core/io/project/project.h"
+#include "core/scene/demand.h"
 
 #include <cstddef>
 #include <string>
@@ -20,7 +20,7 @@ struct Cost {
 };
 
 struct InfoReport {
-  Demand demand;
+  scene::Demand demand;
   Cost cost;
   std::vector<geometry::Space> rooms;  ///< relative to Mesh::origin
   std::vector<double> areas;           ///< m² per material

@@ -47,6 +47,7 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
   workspace_.materials->setDocument(&document_);
   workspace_.layouts->setDocument(&document_);
   workspace_.view->setDocument(&document_);
+  workspace_.quality->setDocument(&document_);
   for (const std::string& warning : document_.project().warnings) {
     workspace_.log->addWarning(toQt(warning));
   }
@@ -74,6 +75,7 @@ ProjectSession::~ProjectSession() {
   workspace_.materials->setDocument(nullptr);
   workspace_.layouts->setDocument(nullptr);
   workspace_.view->setDocument(nullptr);
+  workspace_.quality->setDocument(nullptr);
   workspace_.results->setReadings(nullptr);
   workspace_.status->endProgress();
   workspace_.area->setNotice({});
@@ -149,6 +151,7 @@ void ProjectSession::exportResults() {
 }
 
 void ProjectSession::onFrame() {
+  workspace_.quality->showFrame(*relighting_.frame());
   if (document_.luminaires().empty() && workspace_.area->view().frame() == nullptr) {
     // A building in the dark cannot be worked in: it stays as it came until it has luminaires.
     const bool nothing = document_.scene()->mesh->triangleCount() == 0;

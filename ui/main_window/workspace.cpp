@@ -47,6 +47,7 @@ Workspace makeWorkspace(QMainWindow& window) {
   w.materials = new MaterialsPanel;
   w.layouts = new LayoutsPanel;
   w.view = new ViewPanel;
+  w.quality = new QualityPanel;
   w.results = new ResultsPanel;
   w.log = new LogPanel;
   w.history = new QUndoView;
@@ -62,6 +63,8 @@ Workspace makeWorkspace(QMainWindow& window) {
       dock(window, w, Qt::RightDockWidgetArea, tr("View"), "view", scrolled(w.view));
   QDockWidget* mixer =
       dock(window, w, Qt::RightDockWidgetArea, tr("Light mixer"), "mixer", scrolled(w.mixer));
+  QDockWidget* quality =
+      dock(window, w, Qt::RightDockWidgetArea, tr("Quality"), "quality", scrolled(w.quality));
   QDockWidget* materials =
       dock(window, w, Qt::RightDockWidgetArea, tr("Materials"), "materials", scrolled(w.materials));
   QDockWidget* library =
@@ -83,6 +86,7 @@ Workspace makeWorkspace(QMainWindow& window) {
   window.tabifyDockWidget(properties, materials);
   properties->raise();
   window.tabifyDockWidget(view, mixer);
+  window.tabifyDockWidget(mixer, quality);
   mixer->raise();
   window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   window.resizeDocks({library, view}, {220, 290}, Qt::Horizontal);

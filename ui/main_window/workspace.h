@@ -9,6 +9,7 @@
 #include "ui/panels/luminaire_panel.h"
 #include "ui/panels/materials_panel.h"
 #include "ui/panels/mixer_panel.h"
+#include "ui/panels/quality_panel.h"
 #include "ui/panels/results_panel.h"
 #include "ui/panels/status_line.h"
 #include "ui/panels/view_panel.h"
@@ -29,6 +30,7 @@ struct Workspace {
   MaterialsPanel* materials = nullptr;
   LayoutsPanel* layouts = nullptr;
   ViewPanel* view = nullptr;
+  QualityPanel* quality = nullptr;
   ResultsPanel* results = nullptr;
   LogPanel* log = nullptr;
   QUndoView* history = nullptr;  ///< the steps that can be undone; the window says whose

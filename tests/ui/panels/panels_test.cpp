@@ -5,8 +5,10 @@
 #include "ui/panels/lights_model.h"
 #include "ui/panels/materials_panel.h"
 #include "ui/panels/mixer_panel.h"
+#include "ui/panels/quality_panel.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
@@ -17,6 +19,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeWidget>
 
 #include <algorithm>
 
@@ -68,6 +71,42 @@ class PanelsTest : public QObject {
     QVERIFY(set(model, 10, LightsModel::kGroup, QStringLiteral("Wall")));
     QCOMPARE(document.luminaires()[9].group, std::string("Wall"));
     QCOMPARE(document.luminaires()[0].group, std::string("General"));
+  }
+
+  void anotherQualityIsAStepThatIsUndone() {
+    Document document(manyLuminaires(3));
+    QualityPanel panel;
+    panel.setDocument(&document);
+    auto* preset = panel.findChild<QComboBox*>();
+    QCOMPARE(preset->currentData().toString(), QStringLiteral("interactive"));
+    preset->setCurrentIndex(2);
+    Q_EMIT preset->activated(2);
+    QCOMPARE(document.scene()->quality.preset, std::string("final"));
+    document.undoStack()->undo();
+    QCOMPARE(document.scene()->quality.preset, std::string("interactive"));
+    QCOMPARE(preset->currentData().toString(), QStringLiteral("interactive"));
+  }
+
+  void qualitySaysWhatTheProjectDoesWithout() {
+    Document document(manyLuminaires(3));
+    QualityPanel panel;
+    panel.setDocument(&document);
+    const auto* figures = panel.findChild<QTreeWidget*>();
+    const auto says = [&](int section, const QString& text) {
+      const QTreeWidgetItem* item = figures->topLevelItem(section);
+      for (int i = 0; i < item->childCount(); ++i) {
+        if (item->child(i)->text(0).contains(text)) return true;
+      }
+      return false;
+    };
+    constexpr int kComputed = 2;
+    constexpr int kSkipped = 3;
+    QVERIFY(says(kSkipped, QStringLiteral("no material has a specular share")));
+    scene::Scene glossy = *document.scene();
+    glossy.materials.front().specular = 0.04;
+    document.edit(QStringLiteral("gloss"), glossy);
+    QVERIFY(!says(kSkipped, QStringLiteral("no material has a specular share")));
+    QVERIFY(says(kComputed, QStringLiteral("reflections")));
   }
 
   void whatCannotBeReadChangesNothing() {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace soffit::cli {
+namespace soffit::scene {
 
 /// What a project needs to be computed, and what it does not and why.
 struct Demand {
@@ -19,6 +19,6 @@ struct Demand {
 };
 
 /// For the scene's own luminaires, as they are switched.
-Demand demandOf(const scene::Scene& scene);
+Demand demandOf(const Scene& scene);
 
-}  // namespace soffit::cli
+}  // namespace soffit::scene

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/demand.h"
+#include "core/scene/demand.h"
 
 #include <algorithm>
 
-namespace soffit::cli {
+namespace soffit::scene {
 namespace {
 
 bool isGrey(const dvec3& color) {
@@ -20,12 +20,12 @@ void decide(Demand& demand, bool wanted, const char* what, const char* why_not) 
 
 }  // namespace
 
-Demand demandOf(const scene::Scene& scene) {
+Demand demandOf(const Scene& scene) {
   Demand demand;
   const auto& luminaires = scene.luminaires;
   const auto lit = [](const light::Luminaire& l) { return l.on && l.dimming > 0.0; };
   const bool any_surface = scene.mesh->triangleCount() > 0;
-  const bool reflecting = std::ranges::any_of(scene.materials, [](const scene::Material& m) {
+  const bool reflecting = std::ranges::any_of(scene.materials, [](const Material& m) {
     return m.diffuse != dvec3(0.0) || m.specular > 0.0;
   });
   const bool glossy =
@@ -52,4 +52,4 @@ Demand demandOf(const scene::Scene& scene) {
   return demand;
 }
 
-}  // namespace soffit::cli
+}  // namespace soffit::scene

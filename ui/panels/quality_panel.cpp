@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "ui/panels/quality_panel.h"
+
+#include "core/scene/demand.h"
+#include "ui/document/text.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QTreeWidget>
+
+#include <algorithm>
+#include <array>
+
+namespace soffit::ui {
+namespace {
+
+constexpr std::array kPresets{"draft", "interactive", "final"};
+constexpr std::size_t kStages = 5;
+
+QString sentence(const std::string& text) {
+  QString out = toQt(text);
+  if (!out.isEmpty()) out[0] = out[0].toUpper();
+  return out;
+}
+
+std::array<double, kStages + 1> stagesOf(const relight::StageTimes& t) {
+  return {t.direct, t.first_bounce, t.nodes, t.gather, t.interpolate, t.total()};
+}
+
+}  // namespace
+
+QualityPanel::QualityPanel(QWidget* parent)
+    : QWidget(parent), preset_(new QComboBox), own_(new QLabel), figures_(new QTreeWidget) {
+  preset_->addItem(tr("Draft: quick to precompute"), QString::fromLatin1(kPresets[0]));
+  preset_->addItem(tr("Interactive"), QString::fromLatin1(kPresets[1]));
+  preset_->addItem(tr("Final: finer, slower to update"), QString::fromLatin1(kPresets[2]));
+  preset_->setToolTip(
+      tr("How finely light is precomputed. Another quality is precomputed in the background."));
+  own_->setWordWrap(true);
+  figures_->setObjectName(QStringLiteral("quality_figures"));
+  figures_->setColumnCount(2);
+  figures_->setHeaderHidden(true);
+  figures_->setSelectionMode(QAbstractItemView::NoSelection);
+  figures_->setFrameShape(QFrame::NoFrame);
+  figures_->header()->setStretchLastSection(false);
+  figures_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  figures_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  const auto section = [&](const QString& title) {
+    auto* item = new QTreeWidgetItem(figures_, QStringList(title));
+    QFont bold = item->font(0);
+    bold.setBold(true);
+    item->setFont(0, bold);
+    item->setFirstColumnSpanned(true);
+    item->setExpanded(true);
+    return item;
+  };
+  update_ = section(tr("Last move of a luminaire"));
+  row(update_, tr("Direct light"), tr("In closed form times visibility, at every point"));
+  row(update_, tr("First reflection"), tr("From every point, by precomputed rays"));
+  row(update_, tr("All further reflections"), tr("Solved to a residual, not counted in bounces"));
+  row(update_, tr("Gathering them"), tr("From patches to where light differs"));
+  row(update_, tr("All points"), tr("Interpolated with precomputed weights"));
+  row(update_, tr("Together"), {});
+  transport_ = section(tr("Light transport"));
+  row(transport_, tr("Points"), tr("Where light is computed and sent on"));
+  row(transport_, tr("Gather points"), tr("Of these, where rays were traced for all the others"));
+  row(transport_, tr("Memory"), {});
+  row(transport_, tr("State"), {});
+  needed_ = section(tr("Computed"));
+  skipped_ = section(tr("Not needed here"));
+  auto* form = new QFormLayout(this);
+  form->addRow(tr("Quality"), preset_);
+  form->addRow(own_);
+  form->addRow(figures_);
+  connect(preset_, &QComboBox::activated, this,
+          [this] { choose(preset_->currentData().toString()); });
+  setDocument(nullptr);
+}
+
+QTreeWidgetItem* QualityPanel::row(QTreeWidgetItem* section, const QString& what,
+                                   const QString& hint) {
+  auto* item = new QTreeWidgetItem(section, QStringList(what));
+  item->setToolTip(0, hint);
+  item->setTextAlignment(1, Qt::AlignRight);
+  return item;
+}
+
+void QualityPanel::setDocument(Document* document) {
+  if (document_ != nullptr) document_->disconnect(this);
+  document_ = document;
+  setEnabled(document != nullptr);
+  for (QTreeWidgetItem* section : {update_, transport_}) {
+    for (int i = 0; i < section->childCount(); ++i) {
+      section->child(i)->setText(1, QStringLiteral("\u2013"));
+    }
+  }
+  if (document == nullptr) return;
+  connect(document, &Document::sceneChanged, this, &QualityPanel::showProject);
+  connect(document, &Document::layoutChanged, this, &QualityPanel::showProject);
+  showProject();
+}
+
+void QualityPanel::showProject() {
+  if (document_ == nullptr || document_->previewing()) return;
+  const scene::Quality& quality = document_->scene()->quality;
+  preset_->setCurrentIndex(std::max(0, preset_->findData(toQt(quality.preset))));
+  QStringList own;
+  for (const auto& [name, value] : quality.settings) {
+    own.append(QStringLiteral("%1 = %2").arg(toQt(name)).arg(value));
+  }
+  own_->setVisible(!own.isEmpty());
+  own_->setText(tr("With the project's own %1").arg(own.join(QStringLiteral(", "))));
+  scene::Scene shown = *document_->scene();
+  shown.luminaires = document_->luminaires();
+  const scene::Demand demand = scene::demandOf(shown);
+  qDeleteAll(needed_->takeChildren());
+  qDeleteAll(skipped_->takeChildren());
+  for (const std::string& what : demand.needed) {
+    auto* item = new QTreeWidgetItem(needed_, QStringList(sentence(what)));
+    item->setFirstColumnSpanned(true);
+  }
+  for (const scene::Demand::Skip& skip : demand.skipped) {
+    auto* item = new QTreeWidgetItem(
+        skipped_, QStringList(QStringLiteral("%1: %2").arg(sentence(skip.what), toQt(skip.why))));
+    item->setToolTip(0, item->text(0));
+    item->setFirstColumnSpanned(true);
+  }
+}
+
+void QualityPanel::choose(const QString& preset) {
+  if (document_ == nullptr) return;
+  scene::Scene next = *document_->scene();
+  next.quality.preset = toStd(preset);
+  document_->edit(tr("Quality"), std::move(next));
+}
+
+void QualityPanel::showFrame(const LightFrame& frame) {
+  const QLocale locale;
+  // What was only mixed again has no times: the last move's stay.
+  if (frame.times.total() > 0.0) {
+    const auto stages = stagesOf(frame.times);
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+      update_->child(static_cast<int>(i))
+          ->setText(1, tr("%1 ms").arg(locale.toString(stages[i], 'f', 1)));
+    }
+  }
+  const transfer::Operators& op = frame.solver->operators();
+  transport_->child(0)->setText(1,
+                                locale.toString(static_cast<qulonglong>(op.texels.texelCount())));
+  transport_->child(1)->setText(1, locale.toString(static_cast<qulonglong>(op.lists.lists.size())));
+  transport_->child(2)->setText(
+      1, tr("%1 MB").arg(locale.toString(static_cast<double>(op.bytes()) / 1e6, 'f', 1)));
+  transport_->child(3)->setText(1, op.coarse ? tr("coarse, being refined") : tr("complete"));
+}
+
+}  // namespace soffit::ui

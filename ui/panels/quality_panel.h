@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ui/document/document.h"
+#include "ui/jobs/light_frame.h"
+
+#include <QPointer>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace soffit::ui {
+
+/// How carefully the light is computed, what that costs now, and what this project does without.
+class QualityPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit QualityPanel(QWidget* parent = nullptr);
+  /// Null: nothing is open.
+  void setDocument(Document* document);
+  /// The newest light: its times (of the last move) and the size of its transport.
+  void showFrame(const LightFrame& frame);
+
+ private:
+  void showProject();
+  void choose(const QString& preset);
+  QTreeWidgetItem* row(QTreeWidgetItem* section, const QString& what, const QString& hint);
+
+  QPointer<Document> document_;
+  QComboBox* preset_;
+  QLabel* own_;  ///< single settings of the project
+  QTreeWidget* figures_;
+  QTreeWidgetItem* update_;
+  QTreeWidgetItem* transport_;
+  QTreeWidgetItem* needed_;
+  QTreeWidgetItem* skipped_;
+};
+
+}  // namespace soffit::ui
