@@ -28,7 +28,8 @@ float trustInConservation(const TrainingFields& fields, std::span<const double> 
   std::vector<double> sent(count, 0.0);
   for (std::size_t s = 0; s < operators.sends.size(); ++s) {
     for (std::size_t t = 0; t < count; ++t) {
-      sent[t] += static_cast<double>(operators.sends[s]) * static_cast<double>(fields.value[s * count + t]);
+      sent[t] += static_cast<double>(operators.sends[s]) *
+                 static_cast<double>(fields.value[s * count + t]);
     }
   }
   const double quadrature = usualDeviation(sent, gathered);

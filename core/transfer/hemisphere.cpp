@@ -4,7 +4,16 @@
 #include "core/math/rng.h"
 #include "core/math/sampling.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace soffit::transfer {
+namespace {
+
+/// Of all rays: where all others leave the scene, so few that meet it do not count.
+constexpr double kStray = 1.0 / 128.0;
+
+}  // namespace
 
 void traceHemisphere(const StaticScene& scene, const Texels& texels, const vec3& p, const vec3& n, int side,
                      std::uint64_t seed, float gap, HemisphereScratch& scratch, HemisphereHits& out) {
@@ -56,6 +65,12 @@ void traceHemisphere(const StaticScene& scene, const Texels& texels, const vec3&
     } else if (hit.t < gap && texels.openness[out.slots[i]] != 0) {
       out.slots[i] = kNoTexel;
     }
+  }
+  // The far side of a floor that furniture sinks into by 2 mm: a ray that ends there would bring
+  // the light of the room, for the furniture's texel lies above the floor.
+  const double met = static_cast<double>(count) - static_cast<double>(out.missed);
+  if (met <= kStray * static_cast<double>(count)) {
+    std::fill(out.slots.begin(), out.slots.end(), kNoTexel);
   }
 }
 

@@ -27,6 +27,9 @@ struct HemisphereScratch {
 /// (Shirley & Chiu map), rotated at random per point: E = pi/N sum L for any radiance L, error
 /// O(N^-3/4) for piecewise smooth ones. Every ray carries the same weight.
 ///
+/// Where fewer than one ray in 128 meets the scene, all count as having left it: light that reaches
+/// its outside through a seam would be a leak, and what is lost is less than 1 % of what is seen.
+///
 /// p, n           scene-local, n unit.
 /// gap            m, Texels::gapReach of the point's texel: rays that end nearer on a texel outside of
 ///                gaps count as dark.

@@ -137,8 +137,10 @@ TEST(Void, TheFarSideOfAFloorThatFurnitureSinksIntoIsDark) {
     worst = std::max(worst, luminance(total, s));
   }
   EXPECT_GT(outside, 0);
-  // A ray may end on the 2 mm of the furniture below the floor, whose texels are lit above it.
-  EXPECT_LE(worst, 1e-4 * lit);
+  EXPECT_GT(lit, 0.0);
+  // Rays that end on the 2 mm of the furniture below the floor, whose texels are lit above it, are
+  // too few to count.
+  EXPECT_EQ(worst, 0.0);
 }
 
 }  // namespace
