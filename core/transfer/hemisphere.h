@@ -28,7 +28,7 @@ struct HemisphereScratch {
 /// O(N^-3/4) for piecewise smooth ones. Every ray carries the same weight.
 ///
 /// Where fewer than one ray in 128 meets the scene, all count as having left it: light that reaches
-/// its outside through a seam would be a leak, and what is lost is less than 1 % of what is seen.
+/// its outside through a seam would be a leak, and what is lost comes from less than 1 % of the hemisphere.
 ///
 /// p, n           scene-local, n unit.
 /// gap            m, Texels::gapReach of the point's texel: rays that end nearer on a texel outside of

@@ -13,6 +13,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 namespace soffit::transfer {
 namespace {
@@ -43,12 +44,12 @@ struct ClusterResult {
 class ClusterWorker {
  public:
   ClusterWorker(const StaticScene& scene, const TrainingFields& fields,
-                const BakeSettings& settings, const Operators& operators)
-      : scene_(scene), fields_(fields), settings_(settings), operators_(operators) {
-    double sum = 0.0;
-    for (const float a : operators.area) sum += static_cast<double>(a);
-    mean_area_ = std::max(sum, 1e-30) / static_cast<double>(operators.texels.texelCount());
-  }
+                const BakeSettings& settings, const Operators& operators, double mean_area)
+      : scene_(scene),
+        fields_(fields),
+        settings_(settings),
+        operators_(operators),
+        mean_area_(mean_area) {}
 
   /// Gathers the fields at the cluster's points and puts these in the order in which they tell
   /// most.
@@ -291,7 +292,7 @@ class ClusterWorker {
   const TrainingFields& fields_;
   const BakeSettings& settings_;
   const Operators& operators_;
-  double mean_area_ = 1.0;  ///< m^2 of a texel
+  double mean_area_;  ///< m^2 of a texel
   HemisphereScratch scratch_;
   HemisphereHits hits_;
   std::array<std::vector<std::uint32_t>, 2> halves_;
@@ -336,11 +337,14 @@ void countUnheard(const GatherLists& lists, Operators& operators) {
 std::uint64_t fillSkeletons(const StaticScene& scene, const TrainingFields& fields,
                             const BakeSettings& settings, const Job& job, Operators& operators) {
   const auto& clusters = operators.texels.receivers.clusters;
+  const double mean_area =
+      std::max(std::accumulate(operators.area.begin(), operators.area.end(), 0.0), 1e-30) /
+      static_cast<double>(operators.texels.texelCount());
   std::vector<Choice> choices(clusters.size());
   std::vector<ClusterResult> results(clusters.size());
   std::atomic<std::size_t> done{0};
   parallelFor(clusters.size(), 1, [&](std::size_t begin, std::size_t end) {
-    ClusterWorker worker(scene, fields, settings, operators);
+    ClusterWorker worker(scene, fields, settings, operators, mean_area);
     for (std::size_t i = begin; i < end; ++i) {
       if (job.cancelled()) return;
       choices[i] = worker.choose(clusters[i]);
@@ -358,7 +362,7 @@ std::uint64_t fillSkeletons(const StaticScene& scene, const TrainingFields& fiel
       settings.tolerance);
   done = 0;
   parallelFor(clusters.size(), 1, [&](std::size_t begin, std::size_t end) {
-    ClusterWorker worker(scene, fields, settings, operators);
+    ClusterWorker worker(scene, fields, settings, operators, mean_area);
     for (std::size_t i = begin; i < end; ++i) {
       if (job.cancelled()) return;
       results[i] = worker.work(clusters[i], choices[i], ranks[i]);

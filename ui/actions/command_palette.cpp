@@ -83,7 +83,9 @@ void CommandPalette::run() {
   settings.setValue(kLatestKey, QStringList(latest.mid(0, kLatest)));
   accept();
   // After this window has gone: the command may open one of its own.
-  QTimer::singleShot(0, command.action, &QAction::trigger);
+  if (command.action != nullptr) {
+    QTimer::singleShot(0, command.action.data(), &QAction::trigger);
+  }
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {

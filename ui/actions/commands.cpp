@@ -41,6 +41,7 @@ std::vector<Command> commandsMatching(const std::vector<Command>& commands, cons
   std::vector<Command> out;
   for (const Command& c : commands) {
     const QString all = c.place + QLatin1Char(' ') + c.name;
+    if (c.action == nullptr) continue;
     const bool holds = std::all_of(words.begin(), words.end(), [&](const QString& word) {
       return all.contains(word, Qt::CaseInsensitive);
     });

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QMenuBar>
+#include <QPointer>
 #include <QString>
 
 #include <vector>
@@ -11,10 +12,10 @@ namespace soffit::ui {
 
 /// An entry of the menus.
 struct Command {
-  QString id;     ///< its place and name without marks: "Edit/Snap to/Grid"
-  QString place;  ///< for people: "Edit › Snap to"
-  QString name;   ///< without the mark of its mnemonic and without "..."
-  QAction* action = nullptr;
+  QString id;                ///< its place and name without marks: "Edit/Snap to/Grid"
+  QString place;             ///< for people: "Edit › Snap to"
+  QString name;              ///< without the mark of its mnemonic and without "..."
+  QPointer<QAction> action;  ///< null when the entry is gone: recent files come and go
 };
 
 /// All entries of a menu bar in the order in which they stand there; separators and menus

@@ -72,7 +72,7 @@ QStringList KeyBindings::commandsOfPreset(const QString& preset) {
 
 QKeySequence KeyBindings::keys(const QString& id) const {
   for (const Command& c : commands_) {
-    if (c.id == id) return c.action->shortcut();
+    if (c.id == id && c.action != nullptr) return c.action->shortcut();
   }
   return {};
 }
@@ -80,7 +80,8 @@ QKeySequence KeyBindings::keys(const QString& id) const {
 const Command* KeyBindings::takenBy(const QKeySequence& keys, const QString& id) const {
   if (keys.isEmpty()) return nullptr;
   for (const Command& c : commands_) {
-    if (c.id != id && c.action->shortcuts().contains(keys)) return &c;
+    if (c.id == id || c.action == nullptr) continue;
+    if (c.action->shortcuts().contains(keys)) return &c;
   }
   return nullptr;
 }
@@ -128,6 +129,7 @@ QList<QKeySequence> KeyBindings::unchanged(const Command& command) const {
 
 void KeyBindings::apply() {
   for (const Command& c : commands_) {
+    if (c.action == nullptr) continue;
     const auto found = changed_.constFind(c.id);
     QList<QKeySequence> keys = found == changed_.constEnd() ? unchanged(c) : QList<QKeySequence>();
     if (found != changed_.constEnd() && !found->isEmpty()) keys = {*found};

@@ -131,6 +131,7 @@ void KeysDialog::fill() {
   list_->clear();
   QMap<QString, QTreeWidgetItem*> groups;
   for (const Command& c : bindings_.commands()) {
+    if (c.action == nullptr) continue;
     QTreeWidgetItem*& group = groups[c.place];
     if (group == nullptr) {
       group = new QTreeWidgetItem(list_, QStringList(c.place));

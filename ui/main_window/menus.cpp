@@ -90,11 +90,20 @@ void MainWindow::makeOtherMenus() {
   addEntry(help,
            {tr("&Commands..."), QKeySequence(tr("Ctrl+Shift+P")),
             tr("Run any command by a few letters of its name")},
-           this, [this] { (new CommandPalette(commandsOf(*menuBar()), this))->show(); });
+           this, [this] {
+             if (findChild<CommandPalette*>() == nullptr) {
+               (new CommandPalette(commandsOf(*menuBar()), this))->show();
+             }
+           });
   QAction* keys = addEntry(help,
                            {tr("&Mouse and keys"), QKeySequence::HelpContents,
                             tr("What the mouse does, and the keys of all commands, to change")},
-                           this, [this] { (new KeysDialog(*keys_, this))->show(); });
+                           this, [this] {
+                             auto* open = findChild<KeysDialog*>();
+                             if (open == nullptr) open = new KeysDialog(*keys_, this);
+                             open->show();
+                             open->activateWindow();
+                           });
   keys->setShortcuts({QKeySequence(QKeySequence::HelpContents), QKeySequence(tr("?"))});
   addEntry(help, {tr("&About Soffit"), {}, {}}, this, [this] { showAbout(); });
 }

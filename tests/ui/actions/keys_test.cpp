@@ -89,6 +89,18 @@ class KeysTest : public QObject {
     QCOMPARE(size_->shortcut(), QKeySequence(Qt::Key_G));
   }
 
+  void entriesThatAreGoneAreLeftOut() {
+    KeyBindings keys(*bar_, nullptr);
+    delete move_;
+    keys.assign(QStringLiteral("Edit/Rotate"), QKeySequence(Qt::Key_M));
+    QCOMPARE(rotate_->shortcut(), QKeySequence(Qt::Key_M));
+    QVERIFY(keys.keys(QStringLiteral("Edit/Move")).isEmpty());
+    QCOMPARE(commandsMatching(keys.commands(), QString()).size(), std::size_t{3});
+    KeysDialog dialog(keys, nullptr);
+    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+    QCOMPARE(dialog.findChild<QTreeWidget*>()->topLevelItem(0)->childCount(), 2);
+  }
+
   void keptNonsenseIsNoPreset() {
     QSettings().setValue(QStringLiteral("keys/preset"), QStringLiteral("Emacs"));
     const KeyBindings keys(*bar_, nullptr);
