@@ -48,6 +48,8 @@ class MainWindow : public QMainWindow {
   void addGizmoTools(QMenu& menu);
   void addSnapping(QMenu& menu);
   void makeViewMenu();
+  void addCameraEntries(QMenu& menu);
+  void addStandardViews(QMenu& menu);
   void makeInsertMenu();
   void place(const LuminaireType& type);
   void placeFromPhotometry();

@@ -15,18 +15,6 @@
 #include <QMessageBox>
 
 namespace soffit::ui {
-namespace {
-
-constexpr double kPlanFovDeg = 25.0;  // narrow: a plan has little perspective
-
-void showPlan(SceneView& view) {
-  const dvec3 middle = view.origin() + dvec3(view.bounds().center());
-  view.setViewCamera(ViewCamera::from({"", middle + dvec3(0.0, 0.0, 10.0), middle, kPlanFovDeg}));
-  view.frameAll();
-}
-
-}  // namespace
-
 void MainWindow::forProject(QAction* action) {
   project_actions_.append(action);
 }
@@ -45,14 +33,7 @@ void MainWindow::makeMenus() {
 
 void MainWindow::makeViewMenu() {
   QMenu& menu = *menuBar()->addMenu(tr("&View"));
-  forProject(addEntry(menu, {tr("Frame &all"), QKeySequence(Qt::Key_Home), {}}, this,
-                      [this] { workspace_.area->view().frameAll(); }));
-  forProject(addEntry(menu, {tr("Frame &selection"), QKeySequence(Qt::Key_Period), {}}, this,
-                      [this] { workspace_.area->view().frameSelection(); }));
-  forProject(addEntry(menu,
-                      {tr("&Plan from above"), QKeySequence(tr("Shift+Home")),
-                       tr("Through the ceiling, to arrange and draw")},
-                      this, [this] { showPlan(workspace_.area->view()); }));
+  addCameraEntries(menu);
   menu.addSeparator();
   QAction* false_color = addToggle(
       menu,

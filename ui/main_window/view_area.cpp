@@ -11,9 +11,8 @@ namespace soffit::ui {
 
 ViewArea::ViewArea(QWidget* parent)
     : QWidget(parent),
-      view_(new SceneView(this)),
-      input_(new ViewInput(*view_, this)),
-      comparison_(new ComparisonView(*view_, *this)),
+      pane_(new ViewPane(*this)),
+      comparison_(new ComparisonView(pane_->view(), *this)),
       legend_(new Legend(this)),
       notice_(new QLabel(this)) {
   legend_->hide();
@@ -27,7 +26,7 @@ ViewArea::ViewArea(QWidget* parent)
 }
 
 Result<void> ViewArea::setLook(const Look& look) {
-  const auto set = view_->setLook(look);
+  const auto set = view().setLook(look);
   showLegend();
   return set;
 }
@@ -43,9 +42,9 @@ void ViewArea::showLegend() {
         [](float place) { return render::differenceColor(2.0F * place - 1.0F); },
         [range = difference_](int most) { return render::differenceTicks(range, most); });
   } else {
-    legend_->setRange(view_->look().range);
+    legend_->setRange(view().look().range);
   }
-  legend_->setVisible(difference_ > 0.0 || view_->look().false_color);
+  legend_->setVisible(difference_ > 0.0 || view().look().false_color);
 }
 
 void ViewArea::setNotice(const QString& text) {
@@ -60,7 +59,7 @@ void ViewArea::resizeEvent(QResizeEvent*) {
 }
 
 void ViewArea::layOut() {
-  view_->setGeometry(comparison_->layOut(rect()));
+  pane_->setGeometry(comparison_->layOut(rect()));
   legend_->raise();
   const int tall = std::min(legend_->sizeHint().height(), height() - 32);
   legend_->setGeometry(width() - legend_->sizeHint().width() - 16, 16, legend_->sizeHint().width(),

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "ui/main_window/comparison_view.h"
-#include "ui/viewport/scene_view.h"
-#include "ui/viewport/view_input.h"
+#include "ui/main_window/view_pane.h"
 #include "ui/widgets/legend.h"
 
 #include <QLabel>
@@ -19,8 +18,9 @@ class ViewArea : public QWidget {
  public:
   explicit ViewArea(QWidget* parent = nullptr);
 
-  [[nodiscard]] SceneView& view() { return *view_; }
-  [[nodiscard]] ViewInput& input() { return *input_; }
+  [[nodiscard]] SceneView& view() { return pane_->view(); }
+  [[nodiscard]] ViewInput& input() { return pane_->input(); }
+  [[nodiscard]] ViewPane& pane() { return *pane_; }
   [[nodiscard]] ComparisonView& comparison() { return *comparison_; }
   /// The scale of differences from -range to +range lux in place of the look's; 0: the look's.
   void setDifferenceScale(double range);
@@ -36,8 +36,7 @@ class ViewArea : public QWidget {
   void layOut();
   void showLegend();
 
-  SceneView* view_;
-  ViewInput* input_;
+  ViewPane* pane_;
   ComparisonView* comparison_;
   Legend* legend_;
   double difference_ = 0.0;

@@ -144,8 +144,9 @@ Arraying::Handle Arraying::handleAt(const QPointF& mouse) const {
 
 std::optional<dvec2> Arraying::onPlan(const QPointF& mouse) const {
   const ViewCamera& camera = view_.viewCamera();
-  const auto hit = onPlane(seed_.position, axisOf(2), camera.position,
-                           camera.rayThrough({mouse.x(), mouse.y()}, view_.viewSize()));
+  const dvec2 pixel(mouse.x(), mouse.y());
+  const auto hit = onPlane(seed_.position, axisOf(2), camera.rayOrigin(pixel, view_.viewSize()),
+                           camera.rayThrough(pixel, view_.viewSize()));
   if (!hit) return std::nullopt;
   return dvec2(*hit);
 }

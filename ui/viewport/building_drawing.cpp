@@ -106,7 +106,8 @@ void BuildingDrawing::setLight(std::vector<vec3> lux) {
   light_dirty_ = true;
 }
 
-void BuildingDrawing::setView(const glm::mat4& clip_from_scene, const vec3& eye) {
+void BuildingDrawing::setView(const glm::mat4& clip_from_scene, const glm::vec4& eye, bool cuts) {
+  cuts_ = cuts;
   if (clip_from_scene == clip_from_scene_ && eye == eye_) return;
   clip_from_scene_ = clip_from_scene;
   eye_ = eye;
@@ -202,8 +203,11 @@ void BuildingDrawing::drawLuminaires(const glm::mat4& clip_from_scene) {
   // A panel may lie in the ceiling's very plane.
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(-1.0F, -4.0F);
+  // What hangs above the cut of a plan lies on top of it.
+  if (cuts_) glEnable(GL_DEPTH_CLAMP);
   glBindVertexArray(luminaire_array_);
   glDrawArrays(GL_TRIANGLES, 0, luminaire_corners_);
+  glDisable(GL_DEPTH_CLAMP);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -211,7 +215,8 @@ bool BuildingDrawing::drawSeen(const SeenSurfaces::View& view, const vec3& backg
   if (mesh_ == nullptr || light_.size() != mesh_->vertexCount()) return false;
   std::size_t shown = 0;
   for (const std::uint32_t count : visible_counts_) shown += count;
-  const SeenSurfaces::Mesh buffers{positions_.id(), lux_.id(), indices_.id(), mesh_->vertexCount(), shown};
+  const SeenSurfaces::Mesh buffers{positions_.id(), lux_.id(), indices_.id(), mesh_->vertexCount(),
+                                   shown};
   if (!SeenSurfaces::fits(buffers)) return false;
   GLint target = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);

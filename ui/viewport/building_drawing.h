@@ -26,11 +26,12 @@ class BuildingDrawing {
   void setLight(std::vector<vec3> lux);
   void setLuminaires(LuminaireMesh luminaires);
 
-  /// The camera of the next draws, and where its eye is (scene-local). What cannot be seen from
-  /// there is not drawn.
-  void setView(const glm::mat4& clip_from_scene, const vec3& eye);
-  /// Into the framebuffer that is bound; clears it. shift: of the picture, in clip coordinates. From
-  /// the second picture of a view on, what is seen is known (seen_surfaces.h).
+  /// The camera of the next draws, and where its eye is (scene-local, visibleIndices()). What
+  /// cannot be seen from there is not drawn. cuts: the near plane cuts the building, not the
+  /// luminaires.
+  void setView(const glm::mat4& clip_from_scene, const glm::vec4& eye, bool cuts);
+  /// Into the framebuffer that is bound; clears it. shift: of the picture, in clip coordinates.
+  /// From the second picture of a view on, what is seen is known (seen_surfaces.h).
   void draw(const vec2& shift, const vec3& background);
   void release();
 
@@ -45,7 +46,8 @@ class BuildingDrawing {
   std::vector<vec3> light_;
   LuminaireMesh luminaires_;
   glm::mat4 clip_from_scene_{1.0F};
-  vec3 eye_{0.0F};
+  glm::vec4 eye_{0.0F};
+  bool cuts_ = false;
   std::vector<std::uint32_t> visible_counts_;  ///< indices per part
   bool view_dirty_ = true;
   bool mesh_dirty_ = false;

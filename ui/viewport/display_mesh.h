@@ -55,9 +55,10 @@ struct DisplayMesh {
 
 /// The indices of what an eye sees, part by part: patches within the picture that face it.
 /// counts receives the number of indices per part; whole parts are left as they are when the mesh
-/// has no patches. clip_from_scene: the camera.
+/// has no patches. clip_from_scene: the camera. eye: its place and 1, or the direction toward an
+/// eye that is infinitely far away and 0.
 std::vector<std::uint32_t> visibleIndices(const DisplayMesh& mesh, const glm::mat4& clip_from_scene,
-                                          const vec3& eye, std::vector<std::uint32_t>& counts);
+                                          const glm::vec4& eye, std::vector<std::uint32_t>& counts);
 
 DisplayMesh makeDisplayMesh(const geometry::Mesh& mesh, const transfer::Texels& texels,
                             std::span<const scene::Material> materials);

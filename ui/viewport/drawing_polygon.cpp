@@ -34,8 +34,9 @@ std::optional<dvec3> DrawingPolygon::cornerAt(const PointedAt& at, const QPointF
     if (at.surface->normal.z > -0.5F) p.z = ceilingAbove(around, p).value_or(p.z + 2.5);
     return dvec3(rounded(p.x, step), rounded(p.y, step), p.z - kCeilingGap);
   }
-  const auto hit = onPlane(corners_.front(), axisOf(2), camera.position,
-                           camera.rayThrough({mouse.x(), mouse.y()}, view_.viewSize()));
+  const dvec2 pixel(mouse.x(), mouse.y());
+  const auto hit = onPlane(corners_.front(), axisOf(2), camera.rayOrigin(pixel, view_.viewSize()),
+                           camera.rayThrough(pixel, view_.viewSize()));
   if (!hit) return std::nullopt;
   dvec3 p = *hit;
   const double reach =

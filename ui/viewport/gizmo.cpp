@@ -36,6 +36,12 @@ dvec3 axisOf(int axis) {
   return v;
 }
 
+GizmoPart freePart(const ViewCamera& camera) {
+  if (!camera.isParallel()) return GizmoPart::free;
+  constexpr std::array kAcross{GizmoPart::yz, GizmoPart::zx, GizmoPart::xy};
+  return kAcross[static_cast<std::size_t>(camera.mainAxis())];
+}
+
 int axisIndexOf(GizmoPart part) {
   switch (part) {
     case GizmoPart::x:
@@ -75,8 +81,7 @@ double Gizmo::arrowLength(const dvec3& at, const ViewCamera& camera, const dvec2
 
 bool Gizmo::isEdgeOn(GizmoPart part, const dvec3& at, const ViewCamera& camera) {
   if (part == GizmoPart::none || part == GizmoPart::free) return false;
-  const double cosine =
-      std::abs(glm::dot(glm::normalize(at - camera.position), axisOf(axisIndexOf(part))));
+  const double cosine = std::abs(glm::dot(camera.sightTo(at), axisOf(axisIndexOf(part))));
   return isAxis(part) ? cosine > std::sqrt(1.0 - kEdgeOn * kEdgeOn) : cosine < kEdgeOn;
 }
 
@@ -98,11 +103,12 @@ GizmoPart Gizmo::partAt(const dvec3& at, const ViewCamera& camera, const dvec2& 
     }
   }
   if (best != GizmoPart::none) return best;
+  const dvec3 eye = camera.rayOrigin(mouse, size);
   const dvec3 ray = camera.rayThrough(mouse, size);
   for (const GizmoPart part : kPlanes) {
     if (isEdgeOn(part, at, camera)) continue;
     const int k = axisIndexOf(part);
-    const auto hit = onPlane(at, axisOf(k), camera.position, ray);
+    const auto hit = onPlane(at, axisOf(k), eye, ray);
     if (!hit) continue;
     const dvec3 d = (*hit - at) / length;
     const double u = d[(k + 1) % 3];
@@ -121,10 +127,10 @@ Gizmo::Gizmo(GizmoPart part, const dvec3& at, const ViewCamera& camera, const dv
 
 std::optional<dvec3> Gizmo::grip(const ViewCamera& camera, const dvec2& size,
                                  const dvec2& mouse) const {
+  const dvec3 eye = camera.rayOrigin(mouse, size);
   const dvec3 ray = camera.rayThrough(mouse, size);
   const dvec3 axis = axisOf(axisIndexOf(part_));
-  return isAxis(part_) ? onAxis(start_, axis, camera.position, ray)
-                       : onPlane(start_, axis, camera.position, ray);
+  return isAxis(part_) ? onAxis(start_, axis, eye, ray) : onPlane(start_, axis, eye, ray);
 }
 
 dvec3 Gizmo::moved(const ViewCamera& camera, const dvec2& size, const dvec2& mouse) {

@@ -57,6 +57,9 @@ dvec3 axisOf(int axis);
 
 /// The axis of an arrow, a ring or a handle, or the normal of a plane; 2 for `free`.
 int axisIndexOf(GizmoPart part);
+/// The part that a luminaire itself is, taken hold of in a view: `free`, or the plane that a plan
+/// or an elevation shows.
+GizmoPart freePart(const ViewCamera& camera);
 /// Whether a part is one of x, y and z.
 bool isAxis(GizmoPart part);
 

@@ -43,7 +43,7 @@ GizmoPart Turning::partAt(const dvec3& at, const ViewCamera& camera, const dvec2
 Turning::Turning(GizmoPart ring, const dvec3& at, const ViewCamera& camera, const dvec2& size,
                  const dvec2& mouse)
     : axis_(axisIndexOf(ring)), at_(at), start_(mouse) {
-  const dvec3 to_eye = glm::normalize(camera.position - at);
+  const dvec3 to_eye = -camera.sightTo(at);
   end_on_ = std::abs(glm::dot(to_eye, axisOf(axis_))) < kEndOn;
   if (end_on_) {
     // The middle of the ring that looks at the eye, and where it runs to on the screen.
@@ -60,7 +60,8 @@ Turning::Turning(GizmoPart ring, const dvec3& at, const ViewCamera& camera, cons
 }
 
 double Turning::roundAxis(const ViewCamera& camera, const dvec2& size, const dvec2& mouse) const {
-  const auto hit = onPlane(at_, axisOf(axis_), camera.position, camera.rayThrough(mouse, size));
+  const auto hit =
+      onPlane(at_, axisOf(axis_), camera.rayOrigin(mouse, size), camera.rayThrough(mouse, size));
   if (!hit) return last_;
   const dvec3 d = *hit - at_;
   return std::atan2(d[(axis_ + 2) % 3], d[(axis_ + 1) % 3]);

@@ -124,9 +124,11 @@ std::vector<vec3> creases(const light::Emitter& e) {
 
 }  // namespace
 
-LuminaireMesh makeLuminaireMesh(const EmitterSet& set, const vec3& eye) {
+LuminaireMesh makeLuminaireMesh(const EmitterSet& set, const vec3& eye,
+                                const std::vector<bool>& left_out) {
   LuminaireMesh mesh;
   for (std::size_t i = 0; i < set.emitters().size(); ++i) {
+    if (i < left_out.size() && left_out[i]) continue;
     const light::Emitter& e = set.emitters()[i];
     const std::vector<Corner> corners = cornersOf(e);
     const auto toward = [&](const Corner& corner, const dvec3& normal) {

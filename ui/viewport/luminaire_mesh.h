@@ -20,8 +20,9 @@ struct LuminaireMesh {
 };
 
 /// eye: scene-local. Sides that give no light are there (black) with casts_shadow alone, or when
-/// the luminaire is off; points are not.
-LuminaireMesh makeLuminaireMesh(const EmitterSet& set, const vec3& eye);
+/// the luminaire is off; points are not. left_out: per luminaire; empty: none.
+LuminaireMesh makeLuminaireMesh(const EmitterSet& set, const vec3& eye,
+                                const std::vector<bool>& left_out = {});
 
 /// The edges that outline a luminaire, two ends in a row: what a selection is drawn with. A point
 /// gets a small cross.

@@ -45,6 +45,13 @@ glm::mat4 clipFromScene(vtkRenderer* renderer, double aspect) {
   return clip;
 }
 
+glm::vec4 eyeOf(vtkCamera& camera) {
+  const bool parallel = camera.GetParallelProjection() != 0;
+  const double* v = parallel ? camera.GetDirectionOfProjection() : camera.GetPosition();
+  const vec3 place(dvec3(v[0], v[1], v[2]));
+  return parallel ? glm::vec4(-place, 0.0F) : glm::vec4(place, 1.0F);
+}
+
 }  // namespace
 
 vtkStandardNewMacro(PicturePass);
@@ -60,9 +67,14 @@ void PicturePass::shoot(vtkRenderer* renderer, int width, int height) {
   linear_.bind();
   const int* size = renderer->GetRenderWindow()->GetSize();
   const vec2 shift = 2.0F * sampleOffset(sample_) / vec2(width, height);
-  const double* eye = renderer->GetActiveCamera()->GetPosition();
-  building.setView(clipFromScene(renderer, static_cast<double>(size[0]) / size[1]),
-                   vec3(dvec3(eye[0], eye[1], eye[2])));
+  vtkCamera* camera = renderer->GetActiveCamera();
+  std::array<double, 2> range{};
+  camera->GetClippingRange(range.data());
+  // The overlay, which has the same camera, is not cut.
+  if (cut_ > 0.0) camera->SetClippingRange(cut_, std::max(range[1], cut_ + 1.0));
+  building.setView(clipFromScene(renderer, static_cast<double>(size[0]) / size[1]), eyeOf(*camera),
+                   cut_ > 0.0);
+  camera->SetClippingRange(range[0], range[1]);
   building.draw(shift, vec3(0.0F));
   finished_.bind();
   display.draw(linear_);

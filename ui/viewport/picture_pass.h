@@ -29,6 +29,8 @@ class PicturePass : public vtkRenderPass {
   /// sample  0 starts a new picture; k is averaged with the k before it.
   /// scale   pixels computed per pixel shown, along each side, up to 1 (less while things move).
   void setSample(int sample, double scale);
+  /// Of a parallel camera: the building is cut away up to this depth, m; 0: it is not.
+  void setCut(double depth) { cut_ = depth; }
   /// Shows the last picture again under a changed overlay, if it has the window's size.
   void reuseOnce() { reuse_ = true; }
   [[nodiscard]] int sample() const { return sample_; }
@@ -50,6 +52,7 @@ class PicturePass : public vtkRenderPass {
   bool reuse_ = false;
   bool summed_ = false;
   double scale_ = 1.0;
+  double cut_ = 0.0;
   GlTarget linear_;
   GlTarget finished_;
   GlTarget sum_;

@@ -22,6 +22,16 @@ geometry::Ray rayToward(const dvec3& from, const dvec3& direction, const dvec3& 
   return ray;
 }
 
+geometry::Ray rayBeyondCut(const dvec3& from, const dvec3& direction, const ViewCamera& camera,
+                           const dvec3& origin) {
+  return rayToward(from + (camera.isParallel() ? camera.cut_depth : 0.0) * direction, direction,
+                   origin);
+}
+
+bool isCutAway(const Pointable& things, std::size_t luminaire) {
+  return luminaire < things.cut_away.size() && things.cut_away[luminaire];
+}
+
 /// The rectangle on the screen about a luminaire; empty when part of it is behind the eye.
 QRectF screenBounds(const light::Emitter& emitter, const ViewCamera& camera, const dvec2& size,
                     const dvec3& origin) {
@@ -35,6 +45,13 @@ QRectF screenBounds(const light::Emitter& emitter, const ViewCamera& camera, con
   return bounds;
 }
 
+/// What a flat view sees edge on is a line: whether the mouse is near enough to it.
+bool isOnLine(const QRectF& bounds, const dvec2& mouse) {
+  if (bounds.isNull() || std::min(bounds.width(), bounds.height()) > kReach) return false;
+  const double more = 0.5 * kReach;
+  return bounds.adjusted(-more, -more, more, more).contains(mouse.x, mouse.y);
+}
+
 }  // namespace
 
 PointedAt pointAt(const Pointable& things, const ViewCamera& camera, const dvec2& size,
@@ -43,30 +60,40 @@ PointedAt pointAt(const Pointable& things, const ViewCamera& camera, const dvec2
   if (things.scene == nullptr) return found;
   const dvec3 origin = things.scene->mesh->origin;
   const dvec3 direction = camera.rayThrough(mouse, size);
-  const geometry::Ray ray = rayToward(camera.position, direction, origin);
+  const dvec3 eye = camera.rayOrigin(mouse, size);
+  geometry::Ray ray = rayToward(eye, direction, origin);
   double depth = 1e30;
   if (things.frame != nullptr) {
-    found.surface = readSurface(*things.frame, *things.scene, ray);
+    found.surface =
+        readSurface(*things.frame, *things.scene, rayBeyondCut(eye, direction, camera, origin));
     if (found.surface) {
-      depth = glm::length(found.surface->position - camera.position);
+      depth = glm::length(found.surface->position - eye);
       found.place = found.surface->position;
       found.hit = true;
     }
   }
   if (things.luminaires == nullptr) return found;
   const EmitterSet& luminaires = *things.luminaires;
-  const render::EmitterHit hit = luminaires.closest(ray);
+  render::EmitterHit hit = luminaires.closest(ray);
+  while (hit.valid() && isCutAway(things, static_cast<std::size_t>(hit.emitter))) {
+    ray.t_min = hit.t * (1.0F + 1e-5F) + 1e-4F;
+    hit = luminaires.closest(ray);
+  }
   if (hit.valid() && static_cast<double>(hit.t) <= depth * (1.0 + kSlack) + kSlack) {
     found.luminaire = luminaires.name(static_cast<std::size_t>(hit.emitter));
-    found.place = camera.position + static_cast<double>(hit.t) * direction;
+    found.place = eye + static_cast<double>(hit.t) * direction;
     found.hit = true;
   }
+  if (!found.luminaire.empty()) depth = glm::length(found.place - eye);
   for (std::size_t i = 0; i < luminaires.emitters().size(); ++i) {
     const light::Emitter& e = luminaires.emitters()[i];
-    if (e.kind != light::EmitterKind::point) continue;
+    const bool point = e.kind == light::EmitterKind::point;
+    if ((!point && !camera.isParallel()) || isCutAway(things, i)) continue;
     const dvec3 at = camera.project(origin + e.position, size);
     if (at.z <= 0.0 || at.z > depth + kSlack) continue;
-    if (glm::length(dvec2(at) - mouse) > kReach) continue;
+    if (point ? glm::length(dvec2(at) - mouse) > kReach
+              : !isOnLine(screenBounds(e, camera, size, origin), mouse))
+      continue;
     found.luminaire = luminaires.name(i);
     found.place = origin + e.position;
     found.hit = true;
@@ -82,15 +109,16 @@ QStringList luminairesIn(const Pointable& things, const ViewCamera& camera, cons
   for (std::size_t i = 0; i < things.luminaires->emitters().size(); ++i) {
     const light::Emitter& e = things.luminaires->emitters()[i];
     const QRectF bounds = screenBounds(e, camera, size, origin);
-    if (bounds.isNull() || !bounds.intersects(band)) continue;
+    if (bounds.isNull() || !bounds.intersects(band) || isCutAway(things, i)) continue;
     if (things.frame != nullptr) {
-      const dvec3 way = origin + e.position - camera.position;
-      const double distance = glm::length(way);
+      const dvec3 place = origin + e.position;
+      const dvec3 eye = camera.eyeFor(place);
+      const double distance = glm::length(place - eye);
       const auto surface = readSurface(*things.frame, *things.scene,
-                                       rayToward(camera.position, way / distance, origin));
+                                       rayBeyondCut(eye, camera.sightTo(place), camera, origin));
       // Its own half may lie in a wall.
       const double own = 0.5 * static_cast<double>(e.bounds.diagonal()) + 0.05;
-      if (surface && glm::length(surface->position - camera.position) < distance - own) continue;
+      if (surface && glm::length(surface->position - eye) < distance - own) continue;
     }
     names.append(toQt(things.luminaires->name(i)));
   }

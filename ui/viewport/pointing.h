@@ -27,6 +27,7 @@ struct Pointable {
   const scene::Scene* scene = nullptr;
   const LightFrame* frame = nullptr;
   const EmitterSet* luminaires = nullptr;
+  std::vector<bool> cut_away;  ///< per luminaire, whether the cut took it away; empty: none
 };
 
 /// size, mouse: logical pixels.

@@ -2,13 +2,8 @@
 #include "ui/viewport/scene_view.h"
 
 #include "ui/document/text.h"
-#include "ui/viewport/gizmo_scaling.h"
-#include "ui/viewport/gizmo_turning.h"
-#include "ui/viewport/luminaire_mesh.h"
 #include "ui/viewport/picture_pass.h"
 #include "ui/viewport/plain_preview.h"
-
-#include <vtkCamera.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,16 +13,14 @@ namespace {
 
 constexpr vec3 kSelectedColor{1.0F, 0.72F, 0.16F};
 constexpr vec3 kPlanColor{0.95F, 0.86F, 0.62F};
-/// Steeper than 45 degrees down is a plan.
-constexpr double kPlanSteepness = -0.7;
 constexpr vec3 kHoveredColor{0.98F, 0.98F, 0.98F};
+constexpr vec3 kCutColor{0.62F, 0.66F, 0.72F};
 /// Frames slower than this are drawn with fewer pixels while things move.
 constexpr double kFluentMs = 15.0;
 constexpr int kRestMs = 80;
 /// Where pictures are slow, one that shows a luminaire at its new place waits so long for its
 /// light.
 constexpr int kLateMs = 150;
-constexpr double kNearest = 0.03;
 
 }  // namespace
 
@@ -35,6 +28,7 @@ SceneView::SceneView(QWidget* parent) : VtkView(parent) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   gizmo_ = std::make_unique<GizmoActor>(overlay());
+  cut_outline_ = std::make_unique<OutlineActor>(overlay(), kCutColor, 1.6F);
   plan_outline_ = std::make_unique<OutlineActor>(overlay(), kPlanColor, 1.2F);
   hovered_outline_ = std::make_unique<OutlineActor>(overlay(), kHoveredColor, 1.5F);
   selected_outline_ = std::make_unique<OutlineActor>(overlay(), kSelectedColor, 2.5F);
@@ -144,12 +138,6 @@ void SceneView::setHovered(const std::string& name) {
   update();
 }
 
-void SceneView::setGizmoHighlight(GizmoPart part) {
-  if (part == highlight_) return;
-  highlight_ = part;
-  update();
-}
-
 Result<void> SceneView::setLook(const Look& look) {
   // The panel says it at every change of the scene: at each place in a drag.
   if (look_given_ && look == look_) return {};
@@ -217,126 +205,6 @@ void SceneView::refine() {
   });
 }
 
-void SceneView::placeCamera() {
-  const dvec3 eye = view_.position - origin();
-  const dvec3 target = eye + view_.forward;
-  camera()->SetPosition(eye.x, eye.y, eye.z);
-  camera()->SetFocalPoint(target.x, target.y, target.z);
-  camera()->SetViewUp(0.0, 0.0, 1.0);
-  camera()->SetViewAngle(glm::degrees(view_.vertical_fov));
-  const Box box = bounds();
-  const double reach =
-      box.empty() ? 100.0
-                  : glm::length(eye - dvec3(box.center())) + static_cast<double>(box.diagonal());
-  camera()->SetClippingRange(std::max(kNearest, reach * 1e-4), reach + 1.0);
-}
-
-std::vector<vec3> SceneView::outlines(const QStringList& names) const {
-  std::vector<vec3> lines;
-  if (luminaires_ == nullptr) return lines;
-  for (const QString& name : names) {
-    const int i = luminaires_->indexOf(toStd(name));
-    if (i < 0) continue;
-    const auto own = outlineOf(luminaires_->emitters()[static_cast<std::size_t>(i)]);
-    lines.insert(lines.end(), own.begin(), own.end());
-  }
-  return lines;
-}
-
-std::vector<vec3> SceneView::planOutlines() const {
-  std::vector<vec3> lines;
-  if (luminaires_ == nullptr || view_.forward.z > kPlanSteepness) return lines;
-  const dvec3 eye = view_.position - origin();
-  for (const light::Emitter& e : luminaires_->emitters()) {
-    const bool dark = e.kind == light::EmitterKind::planar && !e.twoSided() && !e.casts_shadow &&
-                      glm::dot(e.normal, eye - e.position) < 0.0;
-    if (!dark) continue;
-    const auto own = outlineOf(e);
-    lines.insert(lines.end(), own.begin(), own.end());
-  }
-  return lines;
-}
-
-std::vector<const light::Emitter*> SceneView::selectedEmitters() const {
-  std::vector<const light::Emitter*> found;
-  if (luminaires_ == nullptr) return found;
-  for (const QString& name : selection_) {
-    const int i = luminaires_->indexOf(toStd(name));
-    if (i >= 0) found.push_back(&luminaires_->emitters()[static_cast<std::size_t>(i)]);
-  }
-  return found;
-}
-
-std::optional<dvec3> SceneView::gizmoPlace() const {
-  const auto selected = selectedEmitters();
-  if (selected.empty()) return std::nullopt;
-  dvec3 sum(0.0);
-  for (const light::Emitter* e : selected) sum += e->position;
-  return origin() + sum / static_cast<double>(selected.size());
-}
-
-dmat3 SceneView::gizmoFrame() const {
-  const auto selected = selectedEmitters();
-  return tool_ == GizmoTool::scale && selected.size() == 1 ? selected.front()->world_from_light
-                                                           : dmat3(1.0);
-}
-
-dvec3 SceneView::selectionHalfSize() const {
-  const auto at = gizmoPlace();
-  dvec3 half(0.0);
-  for (const light::Emitter* e : selectedEmitters()) {
-    if (e->bounds.empty()) continue;
-    half = glm::max(half, glm::max(dvec3(e->bounds.hi) - (*at - origin()),
-                                   (*at - origin()) - dvec3(e->bounds.lo)));
-  }
-  return half;
-}
-
-void SceneView::setGizmoTool(GizmoTool tool) {
-  if (tool == tool_) return;
-  tool_ = tool;
-  highlight_ = GizmoPart::none;
-  update();
-}
-
-void SceneView::setGizmoShown(bool shown) {
-  gizmo_shown_ = shown;
-  update();
-}
-
-GizmoPart SceneView::gizmoPartAt(const QPointF& mouse) const {
-  const auto at = gizmoPlace();
-  if (!at || !gizmo_shown_) return GizmoPart::none;
-  const dvec2 pixel(mouse.x(), mouse.y());
-  switch (tool_) {
-    case GizmoTool::rotate:
-      return Turning::partAt(*at, view_, viewSize(), pixel);
-    case GizmoTool::scale:
-      return Scaling::partAt(*at, gizmoFrame(), view_, viewSize(), pixel);
-    default:
-      return Gizmo::partAt(*at, view_, viewSize(), pixel);
-  }
-}
-
-void SceneView::updateOverlay() {
-  selected_outline_->setLines(outlines(selection_));
-  const QString hovered = toQt(hovered_);
-  plan_outline_->setLines(planOutlines());
-  hovered_outline_->setLines(selection_.contains(hovered) ? std::vector<vec3>{}
-                                                          : outlines({hovered}));
-  const auto at = gizmoPlace();
-  if (!at || !gizmo_shown_ || glm::dot(*at - view_.position, view_.forward) <= 0.0) {
-    gizmo_->hide();
-    return;
-  }
-  std::array<bool, 6> edge_on{};
-  for (std::size_t i = 0; i < edge_on.size(); ++i) {
-    edge_on[i] = Gizmo::isEdgeOn(static_cast<GizmoPart>(i + 1), *at, view_);
-  }
-  gizmo_->show(tool_, *at - origin(), gizmoFrame(), Gizmo::arrowLength(*at, view_, viewSize()),
-               highlight_, edge_on);
-}
-
 void SceneView::resizeGL(int width, int height) {
   VtkView::resizeGL(width, height);
   restart();
@@ -345,9 +213,7 @@ void SceneView::resizeGL(int width, int height) {
 void SceneView::paintGL() {
   placeCamera();
   updateOverlay();
-  if (luminaires_ != nullptr && sample_ == 0) {
-    pass().building.setLuminaires(makeLuminaireMesh(*luminaires_, vec3(view_.position - origin())));
-  }
+  if (sample_ == 0) drawLuminaires();
   const bool reused = !std::exchange(picture_stale_, false);
   if (reused) {
     pass().reuseOnce();
@@ -385,13 +251,22 @@ QStringList SceneView::luminairesIn(const QRectF& band) const {
   return ui::luminairesIn(pointable(), view_, viewSize(), band);
 }
 
+std::optional<SurfaceReading> SceneView::surfaceAlong(const dvec3& from,
+                                                      const dvec3& direction) const {
+  if (scene_ == nullptr || frame_ == nullptr) return std::nullopt;
+  geometry::Ray ray;
+  ray.origin = vec3(from - origin());
+  ray.direction = vec3(direction);
+  return readSurface(*frame_, *scene_, ray);
+}
+
 Surroundings SceneView::surroundings(const QStringList& moving) const {
   if (scene_ == nullptr) return {};
   return surroundingsOf(*scene_, frame_, luminaires_.get(), moving);
 }
 
 Pointable SceneView::pointable() const {
-  return {scene_.get(), frame_.get(), luminaires_.get()};
+  return {scene_.get(), frame_.get(), luminaires_.get(), cutAwayLuminaires()};
 }
 
 }  // namespace soffit::ui

@@ -54,6 +54,9 @@ class SceneView : public VtkView {
   /// Logical pixels.
   [[nodiscard]] PointedAt pointAt(const QPointF& mouse) const;
   [[nodiscard]] QStringList luminairesIn(const QRectF& band) const;
+  /// The lit surface that a ray from a place meets, world, unit direction.
+  [[nodiscard]] std::optional<SurfaceReading> surfaceAlong(const dvec3& from,
+                                                           const dvec3& direction) const;
   [[nodiscard]] Surroundings surroundings(const QStringList& moving) const;
   [[nodiscard]] GizmoTool gizmoTool() const { return tool_; }
   void setGizmoTool(GizmoTool tool);
@@ -101,13 +104,20 @@ class SceneView : public VtkView {
   void showLight();
   void lightBuilding(const LightFrame& frame);
   void placeCamera();
+  void drawLuminaires();
   void updateOverlay();
+  void updateCut();
+  /// The overlay as a picture has it: the lines of a plan or a section, nothing to work with.
+  void showDrawingLines();
   void restart();
   void refine();
   [[nodiscard]] double movingScale() const;
   [[nodiscard]] Pointable pointable() const;
   [[nodiscard]] std::vector<const light::Emitter*> selectedEmitters() const;
   [[nodiscard]] std::vector<vec3> planOutlines() const;
+  [[nodiscard]] std::vector<vec3> cutLines() const;
+  /// Per luminaire; empty: the view cuts none away.
+  [[nodiscard]] std::vector<bool> cutAwayLuminaires() const;
   [[nodiscard]] std::vector<vec3> outlines(const QStringList& names) const;
 
   std::shared_ptr<const scene::Scene> scene_;
@@ -124,6 +134,16 @@ class SceneView : public VtkView {
   std::unique_ptr<GizmoActor> gizmo_;
   std::unique_ptr<OutlineActor> selected_outline_;
   std::unique_ptr<OutlineActor> hovered_outline_;
+  /// What the lines of the cut were drawn for.
+  struct CutDrawn {
+    const geometry::Mesh* mesh = nullptr;
+    int axis = 0;
+    double place = 0.0;
+    bool cuts = false;
+    bool operator==(const CutDrawn&) const = default;
+  };
+  CutDrawn cut_drawn_;
+  std::unique_ptr<OutlineActor> cut_outline_;
   std::unique_ptr<OutlineActor> plan_outline_;  ///< luminaires seen on their dark side from above
   GizmoTool tool_ = GizmoTool::move;
   bool gizmo_shown_ = true;

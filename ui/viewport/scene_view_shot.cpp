@@ -39,9 +39,7 @@ Picture SceneView::take(const Shot& shot) {
   if (shot.look) (void)pass().display.setLook(*shot.look);
   if (!own_light) lightBuilding(*shot.frame);
   placeCamera();
-  if (luminaires_ != nullptr) {
-    pass().building.setLuminaires(makeLuminaireMesh(*luminaires_, vec3(view_.position - origin())));
-  }
+  drawLuminaires();
   Picture taken;
   const int samples = shot.samples > 0 ? std::min(shot.samples, PicturePass::kMostSamples)
                                        : PicturePass::kMostSamples;
@@ -52,7 +50,8 @@ Picture SceneView::take(const Shot& shot) {
     const auto pixels = pass().readLinear(width, height);
     addLinear(pixels, width, height, 1.0F / static_cast<float>(samples), taken.linear);
   };
-  taken.image = picture(shot.pixels, false, samples, collect);
+  if (view_.isParallel()) showDrawingLines();
+  taken.image = picture(shot.pixels, view_.isParallel(), samples, collect);
   view_ = camera;
   luminaires_ = luminaires;
   if (shot.look) (void)pass().display.setLook(look);

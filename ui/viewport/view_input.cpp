@@ -11,32 +11,21 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-#include <cmath>
 #include <utility>
 
 namespace soffit::ui {
 namespace {
 
-constexpr double kRadiansPerPixel = 0.006;
-constexpr double kLookPerPixel = 0.003;
-constexpr double kStepsPerNotch = 0.85;
-constexpr double kDefaultDepth = 3.0;
 constexpr Qt::KeyboardModifiers kAdding = Qt::ShiftModifier | Qt::ControlModifier;
-
-dvec2 pixel(const QPointF& p) {
-  return {p.x(), p.y()};
-}
 
 }  // namespace
 
 ViewInput::ViewInput(SceneView& view, QObject* parent)
-    : QObject(parent), view_(view), overlay_(new ViewOverlay(view)) {
+    : QObject(parent), view_(view), camera_(view), overlay_(new ViewOverlay(view)) {
   view_.installEventFilter(this);
   view_.setAcceptDrops(true);
-  wheel_rest_.setSingleShot(true);
-  wheel_rest_.setInterval(150);
-  connect(&wheel_rest_, &QTimer::timeout, this, [this] {
-    if (mode_ == Mode::none) view_.setMoving(false);
+  connect(&camera_, &CameraControl::hintChanged, this, [this](const QString& hint) {
+    Q_EMIT hintChanged(hint.isEmpty() && tool_ != nullptr ? tool_->hint() : hint);
   });
 }
 
@@ -44,8 +33,9 @@ ViewInput::~ViewInput() = default;
 
 void ViewInput::setDocument(Document* document) {
   setTool(nullptr);
-  if (document_ != nullptr && drag_ != nullptr) endMode();
+  if (document_ != nullptr && mode_ != Mode::none) endMode();
   document_ = document;
+  camera_.forget();
 }
 
 void ViewInput::setGizmoTool(GizmoTool tool) {
@@ -97,6 +87,14 @@ bool ViewInput::eventFilter(QObject*, QEvent* event) {
       if (!wantsKey(static_cast<const QKeyEvent&>(*event))) return false;
       event->accept();
       return true;
+    case QEvent::KeyRelease:
+      if (!camera_.wantsKey(static_cast<const QKeyEvent&>(*event))) return false;
+      camera_.key(static_cast<const QKeyEvent&>(*event), false);
+      return true;
+    case QEvent::FocusOut:
+      // Keys that are let go elsewhere are not told of.
+      if (mode_ == Mode::camera) endMode();
+      return false;
     case QEvent::KeyPress:
       return key(static_cast<const QKeyEvent&>(*event));
     case QEvent::DragEnter:
@@ -120,15 +118,13 @@ bool ViewInput::press(const QMouseEvent& event) {
   if (mode_ != Mode::none || document_ == nullptr) return true;
   start_ = last_ = event.position();
   pressed_ = view_.pointAt(start_);
-  const ViewCamera& camera = view_.viewCamera();
-  pivot_ = pressed_.hit ? pressed_.place : camera.position + kDefaultDepth * camera.forward;
   const bool shift = (event.modifiers() & Qt::ShiftModifier) != 0;
   if (event.button() == Qt::MiddleButton || (event.button() == Qt::RightButton && shift)) {
-    mode_ = Mode::pan;
-    view_.setMoving(true);
+    mode_ = Mode::camera;
+    camera_.begin(CameraControl::Way::pan, pressed_);
   } else if (event.button() == Qt::RightButton) {
-    mode_ = Mode::look;
-    view_.setMoving(true);
+    mode_ = Mode::camera;
+    camera_.begin(CameraControl::Way::look, pressed_);
   } else if (event.button() == Qt::LeftButton) {
     pressed_part_ = tool_ != nullptr ? GizmoPart::none : view_.gizmoPartAt(start_);
     mode_ = tool_ != nullptr && tool_->grab(start_) ? Mode::tool : Mode::pressed;
@@ -163,16 +159,17 @@ void ViewInput::beginPressed(const QMouseEvent& event) {
     mode_ = Mode::band;
     return;
   }
-  view_.setMoving(true);
   if (!grabbed) {
-    mode_ = Mode::orbit;
+    mode_ = Mode::camera;
+    camera_.begin(CameraControl::Way::orbit, pressed_);
     return;
   }
+  view_.setMoving(true);
   mode_ = Mode::drag;
   const GizmoTool tool = body ? GizmoTool::move : view_.gizmoTool();
-  drag_ =
-      std::make_unique<DragSession>(view_, *overlay_, *document_, tool,
-                                    body ? GizmoPart::free : pressed_part_, start_, shift, rules_);
+  drag_ = std::make_unique<DragSession>(view_, *overlay_, *document_, tool,
+                                        body ? freePart(view_.viewCamera()) : pressed_part_, start_,
+                                        shift, rules_);
 }
 
 void ViewInput::hover(const QMouseEvent& event) {
@@ -188,18 +185,6 @@ void ViewInput::hover(const QMouseEvent& event) {
   view_.setHovered(part == GizmoPart::none ? at.luminaire : std::string());
   const bool hand = part != GizmoPart::none || !at.luminaire.empty();
   view_.setCursor(hand ? Qt::PointingHandCursor : Qt::ArrowCursor);
-}
-
-void ViewInput::moveCamera(const QPointF& delta) {
-  ViewCamera camera = view_.viewCamera();
-  if (mode_ == Mode::orbit) {
-    camera.orbit(pivot_, -delta.x() * kRadiansPerPixel, -delta.y() * kRadiansPerPixel);
-  } else if (mode_ == Mode::look) {
-    camera.look(-delta.x() * kLookPerPixel, -delta.y() * kLookPerPixel);
-  } else {
-    camera.pan(pixel(delta), glm::dot(pivot_ - camera.position, camera.forward), view_.viewSize());
-  }
-  view_.setViewCamera(camera);
 }
 
 bool ViewInput::move(const QMouseEvent& event) {
@@ -224,7 +209,7 @@ bool ViewInput::move(const QMouseEvent& event) {
       overlay_->setBand(QRectF(start_, now).normalized());
       break;
     default:
-      moveCamera(delta);
+      camera_.moveBy(delta);
       overlay_->update();
   }
   return true;
@@ -234,7 +219,7 @@ void ViewInput::endMode() {
   mode_ = Mode::none;
   drag_.reset();
   overlay_->setBand(std::nullopt);
-  view_.setMoving(false);
+  camera_.end();
 }
 
 /// Shift adds what the band touches, Control changes over.
@@ -295,17 +280,8 @@ bool ViewInput::doubleClick(const QMouseEvent& event) {
 
 bool ViewInput::wheel(const QWheelEvent& event) {
   if (document_ == nullptr || mode_ == Mode::drag) return true;
-  const PointedAt at = view_.pointAt(event.position());
-  ViewCamera camera = view_.viewCamera();
-  const dvec3 target =
-      at.hit ? at.place
-             : camera.position +
-                   kDefaultDepth * camera.rayThrough(pixel(event.position()), view_.viewSize());
-  const double notches = event.angleDelta().y() / 120.0;
-  view_.setMoving(true);
-  wheel_rest_.start();
-  camera.approach(target, std::pow(kStepsPerNotch, notches));
-  view_.setViewCamera(camera);
+  camera_.wheel(event.angleDelta().y() / 120.0, view_.pointAt(event.position()), event.position(),
+                (event.modifiers() & Qt::ControlModifier) != 0);
   overlay_->update();
   return true;
 }
@@ -330,7 +306,7 @@ bool ViewInput::drop(QDropEvent& event, QEvent::Type what) {
 }
 
 bool ViewInput::wantsKey(const QKeyEvent& event) const {
-  if (mode_ == Mode::drag) return true;
+  if (mode_ == Mode::drag || camera_.wantsKey(event)) return true;
   if (tool_ == nullptr) return false;
   return event.key() == Qt::Key_Escape || event.key() == Qt::Key_Return ||
          event.key() == Qt::Key_Enter || event.key() == Qt::Key_Backspace || tool_->wantsKey(event);
@@ -338,9 +314,13 @@ bool ViewInput::wantsKey(const QKeyEvent& event) const {
 
 bool ViewInput::key(const QKeyEvent& event) {
   if (document_ == nullptr) return false;
+  if (camera_.wantsKey(event)) {
+    camera_.key(event, true);
+    return true;
+  }
   const bool enter = event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
   if (event.key() == Qt::Key_Escape) {
-    if (mode_ == Mode::drag || mode_ == Mode::band) {
+    if (mode_ == Mode::drag || mode_ == Mode::band || mode_ == Mode::camera) {
       endMode();
     } else if (tool_ != nullptr) {
       setTool(nullptr);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/document/document.h"
+#include "ui/viewport/camera_control.h"
 #include "ui/viewport/drag_session.h"
 #include "ui/viewport/scene_view.h"
 #include "ui/viewport/view_overlay.h"
@@ -23,11 +24,12 @@ namespace soffit::ui {
 
 /// What mouse and keys do in a view.
 ///
-/// Left: select; drag a luminaire (along the plane it hangs in) or the gizmo; drag elsewhere to
-/// orbit about the point under the mouse. Shift, Control and a click: add and remove; and a drag
-/// from an empty place: a rubber band. Shift and a drag of a luminaire: a copy. Middle, or Shift
-/// and right: pan. Right: look round. Wheel: toward the point under the mouse. While dragging:
-/// Control for whole steps, Alt free of snapping, X, Y, Z and numbers (DragSession). Escape: back.
+/// Left: select; drag a luminaire (along the plane it hangs in, in flat views along theirs) or the
+/// gizmo; drag elsewhere to orbit about the point under the mouse, or to shift a flat view. Shift,
+/// Control and a click: add and remove; and a drag from an empty place: a rubber band. Shift and a
+/// drag of a luminaire: a copy. Middle, or Shift and right: pan. Right: look round, and walk with
+/// W, A, S, D (CameraControl). Wheel: toward the point under the mouse. While dragging: Control for
+/// whole steps, Alt free of snapping, X, Y, Z and numbers (DragSession). Escape: back.
 class ViewInput : public QObject {
   Q_OBJECT
 
@@ -43,6 +45,7 @@ class ViewInput : public QObject {
   void setTool(std::unique_ptr<ViewTool> tool);
   [[nodiscard]] ViewTool* tool() { return tool_.get(); }
   [[nodiscard]] ViewOverlay& overlay() { return *overlay_; }
+  [[nodiscard]] CameraControl& camera() { return camera_; }
 
  Q_SIGNALS:
   /// What the mouse points at, at each move.
@@ -61,7 +64,7 @@ class ViewInput : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  enum class Mode { none, pressed, orbit, pan, look, drag, band, tool };
+  enum class Mode { none, pressed, camera, drag, band, tool };
   bool press(const QMouseEvent& event);
   bool move(const QMouseEvent& event);
   bool release(const QMouseEvent& event);
@@ -74,11 +77,11 @@ class ViewInput : public QObject {
   void select(const std::string& name, bool add);
   void beginPressed(const QMouseEvent& event);
   void endBand(const QMouseEvent& event);
-  void moveCamera(const QPointF& delta);
   void hover(const QMouseEvent& event);
   void endMode();
 
   SceneView& view_;
+  CameraControl camera_;
   ViewOverlay* overlay_;
   Document* document_ = nullptr;
   Mode mode_ = Mode::none;
@@ -86,11 +89,9 @@ class ViewInput : public QObject {
   QPointF last_;
   PointedAt pressed_;
   GizmoPart pressed_part_ = GizmoPart::none;
-  dvec3 pivot_{0.0};
   SnapRules rules_;
   std::unique_ptr<DragSession> drag_;
   std::unique_ptr<ViewTool> tool_;
-  QTimer wheel_rest_;
 };
 
 }  // namespace soffit::ui

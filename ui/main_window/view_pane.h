@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ui/panels/view_bar.h"
+#include "ui/viewport/scene_view.h"
+#include "ui/viewport/view_input.h"
+
+#include <QObject>
+#include <QRect>
+
+namespace soffit::ui {
+
+/// One view of the centre with its bar: which of the standard views it shows.
+class ViewPane : public QObject {
+  Q_OBJECT
+
+ public:
+  /// View and bar become parts of `area`.
+  explicit ViewPane(QWidget& area);
+
+  [[nodiscard]] SceneView& view() { return *view_; }
+  [[nodiscard]] ViewInput& input() { return *input_; }
+  [[nodiscard]] ViewBar& bar() { return *bar_; }
+  [[nodiscard]] StandardView standardView() const;
+  /// The perspective comes back as it was left; the others show all of the building. A plan is of
+  /// the storey that the perspective stands in.
+  void show(StandardView standard);
+  void setGeometry(const QRect& rect);
+  void setVisible(bool visible);
+
+ private:
+  void onCamera();
+  [[nodiscard]] double floor() const;
+
+  SceneView* view_;
+  ViewInput* input_;
+  ViewBar* bar_;
+  ViewCamera perspective_;
+};
+
+}  // namespace soffit::ui
