@@ -15,19 +15,21 @@ void MainWindow::startArray(ArrayKind kind) {
     return;
   }
   ViewArea& area = *workspace_.area;
-  area.input().setTool(nullptr);  // the old one first: it takes its preview back
-  auto tool = std::make_unique<Arraying>(session_->document(), area.view(), kind);
+  area.grid().endTools();  // the old one first: it takes its preview back
+  ViewPane& pane = area.active();
+  auto tool = std::make_unique<Arraying>(session_->document(), pane.view(), kind);
   Arraying* now = tool.get();
   auto* bar = new ArrayBar(&area);
   connect(now, &Arraying::planChanged, bar, &ArrayBar::showPlan);
   connect(now, &QObject::destroyed, bar, &QObject::deleteLater);
   connect(bar, &ArrayBar::changed, now, &Arraying::setSettings);
   connect(bar, &ArrayBar::applied, now, &Arraying::apply);
-  connect(bar, &ArrayBar::cancelled, this, [this] { workspace_.area->input().setTool(nullptr); });
+  connect(bar, &ArrayBar::cancelled, this, [this] { workspace_.area->grid().endTools(); });
   bar->showPlan(now->plan(), now->wanted());
-  bar->move(12, 12);
+  // Under the view's own bar.
+  bar->move(pane.bar().geometry().bottomLeft() + QPoint(0, 8));
   bar->setVisible(true);
-  area.input().setTool(std::move(tool));
+  pane.input().setTool(std::move(tool));
   now->setSettings(now->wanted());  // setTool() has cleared what the view showed
 }
 

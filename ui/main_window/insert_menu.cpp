@@ -17,9 +17,10 @@ namespace soffit::ui {
 
 void MainWindow::place(const LuminaireType& type) {
   if (session_ == nullptr) return;
-  ViewInput& input = workspace_.area->input();
-  input.setTool(std::make_unique<Placing>(session_->document(), workspace_.area->view(), type,
-                                          input.snapRules()));
+  workspace_.area->grid().endTools();
+  ViewPane& pane = workspace_.area->active();
+  pane.input().setTool(
+      std::make_unique<Placing>(session_->document(), pane.view(), type, pane.input().snapRules()));
 }
 
 void MainWindow::placeFromPhotometry() {
@@ -61,14 +62,16 @@ void MainWindow::makeInsertMenu() {
   forProject(addEntry(menu, {tr("From a &mesh file\u2026"), {}, tr("OBJ and other models")}, this,
                       [this] { placeFromMesh(); }));
   const auto addTool = [&](const QString& text, const QString& hint, const auto& make) {
-    forProject(addEntry(menu, {text, {}, hint}, this,
-                        [this, make] { workspace_.area->input().setTool(make()); }));
+    forProject(addEntry(menu, {text, {}, hint}, this, [this, make] {
+      workspace_.area->grid().endTools();
+      workspace_.area->active().input().setTool(make());
+    }));
   };
   addTool(tr("Make &luminous"), tr("Click a part of the building that is to give light"), [this] {
-    return std::make_unique<MakingLuminous>(session_->document(), workspace_.area->view());
+    return std::make_unique<MakingLuminous>(session_->document(), workspace_.area->active().view());
   });
   addTool(tr("&Draw a luminaire"), tr("Corner by corner, on the ceiling"), [this] {
-    return std::make_unique<DrawingPolygon>(session_->document(), workspace_.area->view());
+    return std::make_unique<DrawingPolygon>(session_->document(), workspace_.area->active().view());
   });
 }
 

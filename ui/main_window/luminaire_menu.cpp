@@ -26,7 +26,8 @@ void MainWindow::makeLuminaireMenu() {
                        tr("Click the point of a surface that the selection is to light")},
                       this, [this] {
                         if (session_->document().selection().isEmpty()) return;
-                        workspace_.area->input().setTool(
+                        workspace_.area->grid().endTools();
+                        workspace_.area->active().input().setTool(
                             std::make_unique<Aiming>(session_->document()));
                       }));
   addArrayEntries(*menu.addMenu(tr("A&rray")));

@@ -75,6 +75,7 @@ MainWindow::MainWindow()
   const QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
   restoreState(settings.value(QStringLiteral("window/docks")).toByteArray());
+  workspace_.area->grid().restore(settings);
   showWorkspace(false);
 }
 
@@ -161,6 +162,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   QSettings settings;
   settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
   settings.setValue(QStringLiteral("window/docks"), session_ == nullptr ? docks_ : saveState());
+  workspace_.area->grid().save(settings);
   event->setAccepted(closeProject());
 }
 

@@ -50,6 +50,7 @@ class MainWindow : public QMainWindow {
   void makeViewMenu();
   void addCameraEntries(QMenu& menu);
   void addStandardViews(QMenu& menu);
+  void addArrangements(QMenu& menu);
   void makeInsertMenu();
   void place(const LuminaireType& type);
   void placeFromPhotometry();

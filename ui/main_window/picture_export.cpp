@@ -48,7 +48,9 @@ QString PictureExport::titleOf(const render::PictureFacts& facts) const {
 
 PictureFile PictureExport::take(const QString& path, const QSize& pixels, const Wanted& wanted,
                                 bool linear) const {
-  SceneView& view = workspace_.area->view();
+  // What is seen, unless a camera is wanted.
+  SceneView& view =
+      wanted.camera.isEmpty() ? workspace_.area->active().view() : workspace_.area->view();
   Shot shot;
   shot.pixels = pixels;
   shot.linear = linear;
@@ -93,7 +95,7 @@ void PictureExport::exportView(const QString& path, const QSize& pixels, bool le
 
 void PictureExport::exportView() {
   QWidget* window = workspace_.area->window();
-  PictureDialog dialog(workspace_.area->view().pixelSize(), window);
+  PictureDialog dialog(workspace_.area->active().view().pixelSize(), window);
   if (dialog.exec() != QDialog::Accepted) return;
   const QFileInfo project(document_.path());
   const QString ending = dialog.format();
@@ -107,8 +109,8 @@ void PictureExport::exportView() {
 }
 
 void PictureExport::copyView() {
-  PictureFile file =
-      take({}, workspace_.area->view().pixelSize(), {QString(), document_.layout()}, false);
+  PictureFile file = take({}, workspace_.area->active().view().pixelSize(),
+                          {QString(), document_.layout()}, false);
   if (!file.picture.image.isNull()) QGuiApplication::clipboard()->setImage(decorated(file));
 }
 

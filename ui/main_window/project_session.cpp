@@ -5,6 +5,7 @@
 #include "core/io/project/starting_place.h"
 #include "ui/actions/file_dialogs.h"
 #include "ui/actions/results_actions.h"
+#include "ui/document/camera_edits.h"
 #include "ui/document/text.h"
 #include "ui/viewport/picture_pass.h"
 
@@ -38,9 +39,10 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
       workspace_(workspace),
       relighting_(document_),
       readings_(document_, relighting_) {
-  SceneView& view = workspace_.area->view();
-  view.setScene(document_.scene());
-  workspace_.area->input().setDocument(&document_);
+  ViewGrid& views = workspace_.area->grid();
+  views.setScene(document_.scene());
+  views.setDocument(&document_);
+  workspace_.cameras->setDocument(&document_);
   workspace_.lights->setDocument(&document_);
   workspace_.luminaire->setDocument(&document_);
   workspace_.mixer->setDocument(&document_);
@@ -60,15 +62,18 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
   connect(pictures_.get(), &PictureExport::failed, this, [this](const QString& message) {
     showError(workspace_.area->window(), tr("The picture was not written"), message);
   });
-  placeLuminaires();
   showFirstCamera();
+  offerCameras();
+  placeLuminaires();
   workspace_.area->setNotice(tr("Computing the first light\u2026"));
 }
 
 ProjectSession::~ProjectSession() {
   pictures_.reset();
   comparison_.reset();
-  workspace_.area->input().setDocument(nullptr);
+  workspace_.cameras->setDocument(nullptr);
+  ViewGrid& views = workspace_.area->grid();
+  views.setDocument(nullptr);
   workspace_.lights->setDocument(nullptr);
   workspace_.luminaire->setDocument(nullptr);
   workspace_.mixer->setDocument(nullptr);
@@ -79,23 +84,24 @@ ProjectSession::~ProjectSession() {
   workspace_.results->setReadings(nullptr);
   workspace_.status->endProgress();
   workspace_.area->setNotice({});
-  workspace_.area->view().setSelection({});
-  workspace_.area->view().setLuminaires(nullptr);
-  workspace_.area->view().setScene(nullptr);
+  views.setSelection({});
+  views.setLuminaires(nullptr);
+  views.setScene(nullptr);
 }
 
 void ProjectSession::connectView() {
   SceneView& view = workspace_.area->view();
   connect(&relighting_, &Relighting::frameChanged, this, &ProjectSession::onFrame);
   connect(&document_, &Document::sceneChanged, this, [this] {
-    workspace_.area->view().setScene(document_.scene());
+    workspace_.area->grid().setScene(document_.scene());
+    offerCameras();
     placeLuminaires();
   });
   connect(&document_, &Document::hiddenChanged, this, &ProjectSession::placeLuminaires);
   connect(&workspace_.area->input(), &ViewInput::hintChanged, workspace_.status,
           &StatusLine::showHint);
   connect(&document_, &Document::selectionChanged, this,
-          [this] { workspace_.area->view().setSelection(document_.selection()); });
+          [this] { workspace_.area->grid().setSelection(document_.selection()); });
   connect(&view, &SceneView::lightShown, this, [this](quint64, double frame_ms) {
     workspace_.area->setNotice({});
     if (relighting_.frame() != nullptr) {
@@ -117,8 +123,11 @@ void ProjectSession::connectPanels() {
     if (!set) workspace_.log->addWarning(messageOf(set.error()));
   };
   connect(panel, &ViewPanel::lookChanged, this, take_look);
-  connect(panel, &ViewPanel::cameraChosen, this, &ProjectSession::showCamera);
-  connect(panel, &ViewPanel::saveCameraRequested, this, &ProjectSession::saveCamera);
+  CamerasPanel* cameras = workspace_.cameras;
+  connect(cameras, &CamerasPanel::cameraChosen, this, &ProjectSession::showCamera);
+  connect(&workspace_.area->grid(), &ViewGrid::cameraChosen, this, &ProjectSession::showCamera);
+  connect(cameras, &CamerasPanel::saveRequested, this, &ProjectSession::saveCamera);
+  connect(cameras, &CamerasPanel::updateRequested, this, &ProjectSession::updateCamera);
   connect(panel, &ViewPanel::autoExposureRequested, this, &ProjectSession::exposeAutomatically);
   take_look();
 }
@@ -160,7 +169,7 @@ void ProjectSession::onFrame() {
                 : QString());
     return;
   }
-  workspace_.area->view().setFrame(relighting_.frame());
+  workspace_.area->grid().setFrame(relighting_.frame());
   if (!document_.previewing()) {
     workspace_.view->suggestRange(color::roundRange(percentileLux(*relighting_.frame())));
   }
@@ -171,7 +180,7 @@ void ProjectSession::placeLuminaires() {
   if (!document_.hidden().isEmpty()) {
     std::erase_if(seen, [&](const auto& l) { return document_.hidden().contains(toQt(l.name)); });
   }
-  workspace_.area->view().setLuminaires(
+  workspace_.area->grid().setLuminaires(
       std::make_shared<const EmitterSet>(seen, document_.scene()->mesh->origin));
 }
 
@@ -187,25 +196,40 @@ void ProjectSession::showFirstCamera() {
 
 void ProjectSession::showCamera(const QString& name) {
   for (const scene::Camera& camera : document_.scene()->cameras) {
-    if (toQt(camera.name) == name) workspace_.area->view().setViewCamera(ViewCamera::from(camera));
+    if (toQt(camera.name) != name) continue;
+    workspace_.area->active().view().setViewCamera(ViewCamera::from(camera));
   }
+}
+
+/// Of the active view; null when it is flat: those are always there and no cameras of a project.
+const ViewCamera* ProjectSession::cameraToSave() const {
+  const ViewCamera& camera = workspace_.area->active().view().viewCamera();
+  if (!camera.isParallel()) return &camera;
+  workspace_.status->showHint(
+      tr("Plans and sections are always there: choose a perspective to "
+         "save it as a camera."));
+  return nullptr;
 }
 
 void ProjectSession::saveCamera() {
-  scene::Scene next = *document_.scene();
-  std::string name;
-  for (std::size_t i = next.cameras.size() + 1; name.empty(); ++i) {
-    const std::string candidate = toStd(tr("View %1").arg(i));
-    if (std::ranges::find(next.cameras, candidate, &scene::Camera::name) == next.cameras.end()) {
-      name = candidate;
-    }
-  }
-  next.cameras.push_back(workspace_.area->view().viewCamera().toScene(name));
-  document_.edit(tr("Save camera"), std::move(next));
+  const ViewCamera* camera = cameraToSave();
+  const QString name = freeCameraName(*document_.scene());
+  if (camera != nullptr) addCamera(document_, camera->toScene(toStd(name)));
+}
+
+void ProjectSession::updateCamera(const QString& name) {
+  const ViewCamera* camera = cameraToSave();
+  if (camera != nullptr) ui::updateCamera(document_, camera->toScene(toStd(name)));
+}
+
+void ProjectSession::offerCameras() {
+  QStringList names;
+  for (const scene::Camera& camera : document_.scene()->cameras) names.append(toQt(camera.name));
+  workspace_.area->grid().setCameras(names);
 }
 
 void ProjectSession::exposeAutomatically() {
-  const auto picture = workspace_.area->view().readLinear();
+  const auto picture = workspace_.area->active().view().readLinear();
   if (picture.empty()) return;
   scene::Scene next = *document_.scene();
   next.view.exposure = std::round(20.0 * color::autoExposure(picture)) / 20.0;

@@ -30,6 +30,7 @@ class ProjectSession : public QObject {
   [[nodiscard]] LiveReadings& readings() { return readings_; }
   [[nodiscard]] ComparisonSession& comparison() { return *comparison_; }
   [[nodiscard]] PictureExport& pictures() { return *pictures_; }
+  /// In the active view.
   void showCamera(const QString& name);
   /// The project's first camera, or somewhere in the building.
   void showFirstCamera();
@@ -44,6 +45,9 @@ class ProjectSession : public QObject {
   void onFrame();
   void placeLuminaires();
   void saveCamera();
+  void updateCamera(const QString& name);
+  [[nodiscard]] const ViewCamera* cameraToSave() const;
+  void offerCameras();
   void exposeAutomatically();
 
   Document document_;

@@ -3,6 +3,7 @@
 
 #include "core/render/difference_picture.h"
 
+#include <QPainter>
 #include <QResizeEvent>
 
 #include <algorithm>
@@ -11,8 +12,8 @@ namespace soffit::ui {
 
 ViewArea::ViewArea(QWidget* parent)
     : QWidget(parent),
-      pane_(new ViewPane(*this)),
-      comparison_(new ComparisonView(pane_->view(), *this)),
+      grid_(new ViewGrid(*this)),
+      comparison_(new ComparisonView(view(), *this)),
       legend_(new Legend(this)),
       notice_(new QLabel(this)) {
   legend_->hide();
@@ -23,10 +24,11 @@ ViewArea::ViewArea(QWidget* parent)
   notice_->hide();
   setMinimumSize(320, 240);
   connect(comparison_, &ComparisonView::layoutChanged, this, &ViewArea::layOut);
+  connect(grid_, &ViewGrid::arrangementChanged, this, &ViewArea::layOut);
 }
 
 Result<void> ViewArea::setLook(const Look& look) {
-  const auto set = view().setLook(look);
+  const auto set = grid_->setLook(look);
   showLegend();
   return set;
 }
@@ -58,9 +60,16 @@ void ViewArea::resizeEvent(QResizeEvent*) {
   layOut();
 }
 
+void ViewArea::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  grid_->paint(painter);
+}
+
 void ViewArea::layOut() {
-  pane_->setGeometry(comparison_->layOut(rect()));
+  const bool compared = comparison_->mode() != ComparisonMode::off;
+  grid_->layOut(comparison_->layOut(rect()), compared);
   legend_->raise();
+  notice_->raise();
   const int tall = std::min(legend_->sizeHint().height(), height() - 32);
   legend_->setGeometry(width() - legend_->sizeHint().width() - 16, 16, legend_->sizeHint().width(),
                        tall);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/main_window/comparison_view.h"
-#include "ui/main_window/view_pane.h"
+#include "ui/main_window/view_grid.h"
 #include "ui/widgets/legend.h"
 
 #include <QLabel>
@@ -10,17 +10,21 @@
 
 namespace soffit::ui {
 
-/// The view with what lies over it: the legend of false colours, and a word while there is no light
-/// yet.
+/// The views with what lies over them: the legend of false colours, and a word while there is no
+/// light yet. A comparison of layouts takes the place of all views but the first.
 class ViewArea : public QWidget {
   Q_OBJECT
 
  public:
   explicit ViewArea(QWidget* parent = nullptr);
 
-  [[nodiscard]] SceneView& view() { return pane_->view(); }
-  [[nodiscard]] ViewInput& input() { return pane_->input(); }
-  [[nodiscard]] ViewPane& pane() { return *pane_; }
+  [[nodiscard]] ViewGrid& grid() { return *grid_; }
+  /// The first view, which is always there and speaks for all: its input repeats what the others'
+  /// say.
+  [[nodiscard]] SceneView& view() { return grid_->first().view(); }
+  [[nodiscard]] ViewInput& input() { return grid_->first().input(); }
+  /// The view that commands are for.
+  [[nodiscard]] ViewPane& active() { return grid_->active(); }
   [[nodiscard]] ComparisonView& comparison() { return *comparison_; }
   /// The scale of differences from -range to +range lux in place of the look's; 0: the look's.
   void setDifferenceScale(double range);
@@ -31,12 +35,13 @@ class ViewArea : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
   void layOut();
   void showLegend();
 
-  ViewPane* pane_;
+  ViewGrid* grid_;
   ComparisonView* comparison_;
   Legend* legend_;
   double difference_ = 0.0;

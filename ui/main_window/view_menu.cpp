@@ -3,13 +3,17 @@
 #include "ui/actions/actions.h"
 #include "ui/main_window/main_window.h"
 
+#include <QActionGroup>
+
 #include <utility>
 
 namespace soffit::ui {
 
 void MainWindow::addCameraEntries(QMenu& menu) {
-  const auto view = [this]() -> SceneView& { return workspace_.area->view(); };
-  const auto camera = [this]() -> CameraControl& { return workspace_.area->input().camera(); };
+  const auto view = [this]() -> SceneView& { return workspace_.area->active().view(); };
+  const auto camera = [this]() -> CameraControl& {
+    return workspace_.area->active().input().camera();
+  };
   forProject(addEntry(menu, {tr("Frame &all"), QKeySequence(Qt::Key_Home), {}}, this,
                       [view] { view().frameAll(); }));
   forProject(addEntry(menu, {tr("Frame &selection"), QKeySequence(Qt::Key_Period), {}}, this,
@@ -23,6 +27,38 @@ void MainWindow::addCameraEntries(QMenu& menu) {
       menu,
       {tr("&Next place"), QKeySequence(tr("Alt+Right")), tr("Forward again after going back")},
       this, [camera] { camera().forward(); }));
+  menu.addSeparator();
+  addArrangements(*menu.addMenu(tr("Vie&ws")));
+  QMenu& cameras = *menu.addMenu(tr("&Cameras"));
+  forProject(addEntry(cameras, {tr("&Save view as camera"), {}, {}}, this,
+                      [this] { Q_EMIT workspace_.cameras->saveRequested(); }));
+  forProject(addEntry(cameras, {tr("&Next camera"), QKeySequence(Qt::Key_PageDown), {}}, this,
+                      [this] { workspace_.cameras->chooseNext(1); }));
+  forProject(addEntry(cameras, {tr("&Previous camera"), QKeySequence(Qt::Key_PageUp), {}}, this,
+                      [this] { workspace_.cameras->chooseNext(-1); }));
+}
+
+void MainWindow::addArrangements(QMenu& menu) {
+  using Arrangement = ViewGrid::Arrangement;
+  const std::pair<Arrangement, ActionText> entries[] = {
+      {Arrangement::one, {tr("&One"), QKeySequence(tr("Ctrl+Alt+1")), {}}},
+      {Arrangement::beside, {tr("Two &beside each other"), QKeySequence(tr("Ctrl+Alt+2")), {}}},
+      {Arrangement::over, {tr("Two, one o&ver the other"), QKeySequence(tr("Ctrl+Alt+3")), {}}},
+      {Arrangement::four, {tr("&Four"), QKeySequence(tr("Ctrl+Alt+4")), {}}}};
+  ViewGrid& grid = workspace_.area->grid();
+  auto* group = new QActionGroup(this);
+  for (const auto& [arrangement, text] : entries) {
+    QAction* action = addEntry(
+        menu, text, this, [&grid, arrangement = arrangement] { grid.setArrangement(arrangement); });
+    action->setCheckable(true);
+    action->setChecked(arrangement == grid.arrangement());
+    group->addAction(action);
+    forProject(action);
+    connect(&grid, &ViewGrid::arrangementChanged, action,
+            [action, &grid, arrangement = arrangement] {
+              action->setChecked(grid.arrangement() == arrangement);
+            });
+  }
 }
 
 void MainWindow::addStandardViews(QMenu& menu) {
@@ -42,7 +78,7 @@ void MainWindow::addStandardViews(QMenu& menu) {
        {tr("Section from the ri&ght"), QKeySequence(tr("Alt+9")), {}}}};
   for (const auto& [view, text] : entries) {
     forProject(
-        addEntry(menu, text, this, [this, view = view] { workspace_.area->pane().show(view); }));
+        addEntry(menu, text, this, [this, view = view] { workspace_.area->active().show(view); }));
   }
 }
 

@@ -22,6 +22,9 @@ class ViewPane : public QObject {
   [[nodiscard]] ViewInput& input() { return *input_; }
   [[nodiscard]] ViewBar& bar() { return *bar_; }
   [[nodiscard]] StandardView standardView() const;
+  /// The perspective that was shown last.
+  [[nodiscard]] const ViewCamera& perspective() const { return perspective_; }
+  void setPerspective(const ViewCamera& camera) { perspective_ = camera; }
   /// The perspective comes back as it was left; the others show all of the building. A plan is of
   /// the storey that the perspective stands in.
   void show(StandardView standard);

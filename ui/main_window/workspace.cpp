@@ -47,6 +47,7 @@ Workspace makeWorkspace(QMainWindow& window) {
   w.materials = new MaterialsPanel;
   w.layouts = new LayoutsPanel;
   w.view = new ViewPanel;
+  w.cameras = new CamerasPanel;
   w.quality = new QualityPanel;
   w.results = new ResultsPanel;
   w.log = new LogPanel;
@@ -61,6 +62,8 @@ Workspace makeWorkspace(QMainWindow& window) {
                                  scrolled(w.luminaire));
   QDockWidget* view =
       dock(window, w, Qt::RightDockWidgetArea, tr("View"), "view", scrolled(w.view));
+  QDockWidget* cameras =
+      dock(window, w, Qt::RightDockWidgetArea, tr("Cameras"), "cameras", w.cameras);
   QDockWidget* mixer =
       dock(window, w, Qt::RightDockWidgetArea, tr("Light mixer"), "mixer", scrolled(w.mixer));
   QDockWidget* quality =
@@ -85,7 +88,8 @@ Workspace makeWorkspace(QMainWindow& window) {
   lights->raise();
   window.tabifyDockWidget(properties, materials);
   properties->raise();
-  window.tabifyDockWidget(view, mixer);
+  window.tabifyDockWidget(view, cameras);
+  window.tabifyDockWidget(cameras, mixer);
   window.tabifyDockWidget(mixer, quality);
   mixer->raise();
   window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/main_window/view_area.h"
+#include "ui/panels/cameras_panel.h"
 #include "ui/panels/layouts_panel.h"
 #include "ui/panels/library_panel.h"
 #include "ui/panels/lights_panel.h"
@@ -30,6 +31,7 @@ struct Workspace {
   MaterialsPanel* materials = nullptr;
   LayoutsPanel* layouts = nullptr;
   ViewPanel* view = nullptr;
+  CamerasPanel* cameras = nullptr;
   QualityPanel* quality = nullptr;
   ResultsPanel* results = nullptr;
   LogPanel* log = nullptr;

@@ -9,7 +9,6 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -58,10 +57,6 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
     box->setSteps(50.0, 1);
   }
   logarithmic_ = new QCheckBox(tr("Logarithmic"));
-  cameras_ = new QListWidget;
-  cameras_->setAccessibleName(tr("Saved cameras"));
-  cameras_->setMinimumHeight(4 * fontMetrics().height());
-  auto* save_camera = new QPushButton(tr("Save this view"));
 
   auto* form = new QFormLayout;
   form->setVerticalSpacing(6);
@@ -86,9 +81,7 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(10, 8, 10, 8);
   layout->addLayout(form);
-  layout->addWidget(new QLabel(tr("Cameras")));
-  layout->addWidget(cameras_, 1);
-  layout->addWidget(save_camera);
+  layout->addStretch(1);
 
   connect(exposure_slider_, &QSlider::valueChanged, this, [this](int steps) {
     editView(
@@ -112,11 +105,6 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
   connect(range_min_, &QuantityBox::edited, this, &ViewPanel::takeRange);
   connect(range_max_, &QuantityBox::edited, this, &ViewPanel::takeRange);
   connect(logarithmic_, &QCheckBox::toggled, this, &ViewPanel::takeRange);
-  connect(cameras_, &QListWidget::itemActivated, this,
-          [this](QListWidgetItem* item) { Q_EMIT cameraChosen(item->text()); });
-  connect(cameras_, &QListWidget::itemClicked, this,
-          [this](QListWidgetItem* item) { Q_EMIT cameraChosen(item->text()); });
-  connect(save_camera, &QPushButton::clicked, this, &ViewPanel::saveCameraRequested);
   range_fields_->hide();
   logarithmic_->hide();
   refresh();
@@ -155,14 +143,6 @@ void ViewPanel::refresh() {
   }
   exposure_->setValue(view.exposure);
   view_->setCurrentText(toQt(view.ocio_view));
-  QStringList names;
-  for (const scene::Camera& camera : document_->scene()->cameras) names.append(toQt(camera.name));
-  QStringList shown;
-  for (int i = 0; i < cameras_->count(); ++i) shown.append(cameras_->item(i)->text());
-  if (names != shown) {
-    cameras_->clear();
-    cameras_->addItems(names);
-  }
   Q_EMIT lookChanged();
 }
 

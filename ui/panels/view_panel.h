@@ -9,13 +9,11 @@
 
 class QCheckBox;
 class QComboBox;
-class QListWidget;
 class QSlider;
 
 namespace soffit::ui {
 
-/// How light is looked at: exposure and view transform, false colours with their range, and the
-/// project's saved cameras.
+/// How light is looked at: exposure and view transform, false colours with their range.
 class ViewPanel : public QWidget {
   Q_OBJECT
 
@@ -33,8 +31,6 @@ class ViewPanel : public QWidget {
  Q_SIGNALS:
   void lookChanged();
   void falseColorChanged(bool on);
-  void cameraChosen(const QString& name);
-  void saveCameraRequested();
   void autoExposureRequested();
 
  private:
@@ -52,7 +48,6 @@ class ViewPanel : public QWidget {
   QuantityBox* range_max_;
   QCheckBox* logarithmic_;
   QWidget* range_fields_;
-  QListWidget* cameras_;
   color::FalseColorRange range_{0.0, 1000.0, false};
   bool range_chosen_ = false;
 };
