@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/bench_report.h"
+#include "app/cli/bench_sh_command.h"
 #include "app/cli/bench_sweep.h"
 #include "app/cli/commands.h"
 #include "app/cli/layout_pictures.h"
@@ -129,7 +130,9 @@ void addBenchCommand(CLI::App& app, Session& session) {
                    "Relative standard error of the reference at every point")
       ->check(CLI::Range(1e-6, 1.0))
       ->capture_default_str();
-  command->callback([&session, arguments] {
+  addBenchShCommand(*command, session);
+  command->callback([&session, arguments, command] {
+    if (command->got_subcommand("sh")) return;
     session.run = [arguments, &session] { return runBench(*arguments, session); };
   });
 }
