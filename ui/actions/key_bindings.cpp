@@ -32,6 +32,7 @@ const std::vector<std::pair<QString, Pairs>>& table() {
         {"View/Look from/Plan", "Num+7"},
         {"View/Look from/Front", "Num+1"},
         {"View/Look from/Back", "Ctrl+Num+1"},
+        {"View/Cameras/Next camera", "Num+0"},
         {"View/Look from/Right side", "Num+3"},
         {"View/Look from/Left side", "Ctrl+Num+3"}}},
       {QStringLiteral("SketchUp"),

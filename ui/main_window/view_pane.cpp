@@ -44,9 +44,14 @@ void ViewPane::show(StandardView standard) {
     view_->setViewCamera(perspective_);
     return;
   }
-  const dvec2 size = view_->viewSize();
-  view_->setViewCamera(standardCamera(standard, view_->bounds(), view_->origin(), floor(),
-                                      size.x / std::max(size.y, 1.0)));
+  // All of the building under the bar.
+  const dvec2 size = glm::max(view_->viewSize(), dvec2(1.0));
+  const double bar = std::min(double{1.0} * bar_->sizeHint().height() + kMargin, 0.5 * size.y);
+  ViewCamera camera =
+      standardCamera(standard, view_->bounds(), view_->origin(), floor(), size.x / (size.y - bar));
+  camera.parallel_height *= size.y / (size.y - bar);
+  camera.position += 0.5 * bar * camera.pixelSize(0.0, size) * camera.up();
+  view_->setViewCamera(camera);
 }
 
 void ViewPane::onCamera() {

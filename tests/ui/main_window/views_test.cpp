@@ -3,6 +3,7 @@
 #include "ui/viewport/comparison_mode.h"
 
 #include <QListWidget>
+#include <QMainWindow>
 #include <QSettings>
 #include <QSignalSpy>
 
@@ -163,6 +164,38 @@ class ViewsTest : public QObject {
     QCOMPARE(grid().pane(2).standardView(), StandardView::right);
     QTRY_COMPARE(grid().pane(3).view().frame(), grid().first().view().frame());
     QVERIFY(meanOf(pictureOf(grid().pane(2).view())) > 5.0);
+  }
+
+  void theViewsOutliveDockingElsewhere() {
+    const auto& scene = fixture_->document().scene();
+    auto area = std::make_unique<ViewArea>();
+    auto window = std::make_unique<QMainWindow>();
+    window->resize(640, 480);
+    window->setCentralWidget(area.get());
+    ViewGrid& views = area->grid();
+    views.setArrangement(Arrangement::four);
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+    QVERIFY(views.setLook({}).ok());
+    views.setScene(scene);
+    views.setLuminaires(
+        std::make_shared<const EmitterSet>(fixture_->document().luminaires(), scene->mesh->origin));
+    const LightFramePtr frame = fixture_->window->session()->relighting().frame();
+    views.setFrame(frame);
+    QTRY_COMPARE_WITH_TIMEOUT(views.pane(3).view().frame(), frame, 20000);
+    area->setParent(nullptr);
+    area->show();
+    QVERIFY(QTest::qWaitForWindowExposed(area.get()));
+    window.reset();
+    for (std::size_t i = 0; i < 4; ++i) {
+      SceneView& view = views.pane(i).view();
+      const int before = view.frameCount();
+      view.update();
+      QTRY_VERIFY(view.frameCount() > before);
+      QVERIFY2(meanOf(pictureOf(view)) > 5.0, qPrintable(QString::number(i)));
+    }
+    area.reset();  // with all its views, while the others go on
+    QVERIFY(meanOf(pictureOf(fixture_->view())) > 5.0);
   }
 
   void camerasAreSavedFromTheViewAndChosenInTheDock() {
