@@ -90,13 +90,22 @@ SphereMinimum minimumOf(std::span<const double> coefficients) {
   }
   std::vector<std::size_t> order(samples.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  constexpr std::size_t kStarts = 12;
-  std::partial_sort(order.begin(), order.begin() + kStarts, order.end(),
-                    [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return values[a] != values[b] ? values[a] < values[b] : a < b;
+  });
+  // One start per valley: two that are less than half a wave, pi / degree, apart share theirs.
+  constexpr std::size_t kStarts = 24;
+  const double near = std::cos(std::min(kPi / bands, 0.5 * kPi));
+  std::vector<dvec3> starts;
   SphereMinimum least{samples.directions[order[0]], values[order[0]]};
-  for (std::size_t s = 0; s < kStarts; ++s) {
-    const SphereMinimum found = rollDown(coefficients, bands, samples.directions[order[s]]);
+  for (const std::size_t k : order) {
+    const dvec3& start = samples.directions[k];
+    const auto isNear = [&](const dvec3& other) { return glm::dot(start, other) > near; };
+    if (std::any_of(starts.begin(), starts.end(), isNear)) continue;
+    starts.push_back(start);
+    const SphereMinimum found = rollDown(coefficients, bands, start);
     if (found.value < least.value) least = found;
+    if (starts.size() == kStarts) break;
   }
   return least;
 }

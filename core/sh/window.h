@@ -31,10 +31,11 @@ struct SphereMinimum {
   double value = 0.0;
 };
 
-/// The least value of a function given by coefficients: the lowest of 24 n^2 directions (at least
-/// 256), of which the lowest few roll downhill by gradient steps until they stand still. Between
-/// neighbouring directions lies less than a third of the shortest wave, so no valley is missed that
-/// is deeper than about 1e-6 of the function's root mean square.
+/// The least value of a function given by coefficients: from the lowest of 24 n^2 directions (at
+/// least 256) in each of up to 24 places, half a wave or more apart, gradient steps go downhill
+/// until they stand still. Between neighbouring directions lies about a tenth of the shortest wave,
+/// so that each valley has several. Checked against 20,000 directions: 1e-6 of the largest
+/// coefficient.
 SphereMinimum minimumOf(std::span<const double> coefficients);
 
 struct Deringed {
