@@ -5,57 +5,196 @@
     <name>Application</name>
     <message>
         <source>Interactive, converged light for indoor architecture</source>
-        <translation type="unfinished"></translation>
+        <translation>Interaktives, auskonvergiertes Licht für Innenräume</translation>
     </message>
     <message>
         <source>Project or model to open</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu öffnendes Projekt oder Modell</translation>
+    </message>
+</context>
+<context>
+    <name>Core</name>
+    <message>
+        <source>reading models</source>
+        <translation>Modelle lesen</translation>
+    </message>
+    <message>
+        <source>reading the model</source>
+        <translation>Modell lesen</translation>
+    </message>
+    <message>
+        <source>cleaning the model</source>
+        <translation>Modell bereinigen</translation>
+    </message>
+    <message>
+        <source>preparing geometry</source>
+        <translation>Geometrie vorbereiten</translation>
+    </message>
+    <message>
+        <source>looking for a stored bake</source>
+        <translation>gespeicherte Vorberechnung suchen</translation>
+    </message>
+    <message>
+        <source>laying out texels</source>
+        <translation>Rechenpunkte verteilen</translation>
+    </message>
+    <message>
+        <source>tracing surfaces</source>
+        <translation>Flächen abtasten</translation>
+    </message>
+    <message>
+        <source>training lights</source>
+        <translation>Übungsleuchten rechnen</translation>
+    </message>
+    <message>
+        <source>looking where light differs</source>
+        <translation>Lichtunterschiede suchen</translation>
+    </message>
+    <message>
+        <source>tracing gather rays</source>
+        <translation>Sammelstrahlen verfolgen</translation>
+    </message>
+    <message>
+        <source>storing the bake</source>
+        <translation>Vorberechnung speichern</translation>
+    </message>
+    <message>
+        <source>computing luminaires</source>
+        <translation>Leuchten berechnen</translation>
+    </message>
+    <message>
+        <source>comparing layouts</source>
+        <translation>Varianten vergleichen</translation>
+    </message>
+    <message>
+        <source>tracing reference paths</source>
+        <translation>Referenzpfade verfolgen</translation>
+    </message>
+    <message>
+        <source>direct light</source>
+        <translation>direktes Licht</translation>
+    </message>
+    <message>
+        <source>no luminaire is on</source>
+        <translation>keine Leuchte ist eingeschaltet</translation>
+    </message>
+    <message>
+        <source>interreflection</source>
+        <translation>Mehrfachreflexion</translation>
+    </message>
+    <message>
+        <source>no surface reflects</source>
+        <translation>keine Fläche reflektiert</translation>
+    </message>
+    <message>
+        <source>visibility</source>
+        <translation>Verschattung</translation>
+    </message>
+    <message>
+        <source>there is no geometry</source>
+        <translation>es gibt keine Geometrie</translation>
+    </message>
+    <message>
+        <source>three color channels</source>
+        <translation>drei Farbkanäle</translation>
+    </message>
+    <message>
+        <source>all reflectances are grey</source>
+        <translation>alle Reflexionsgrade sind unbunt</translation>
+    </message>
+    <message>
+        <source>highlights and reflections</source>
+        <translation>Glanzlichter und Spiegelungen</translation>
+    </message>
+    <message>
+        <source>no material has a specular share</source>
+        <translation>kein Material glänzt</translation>
+    </message>
+    <message>
+        <source>measured photometry</source>
+        <translation>gemessene Lichtverteilungen</translation>
+    </message>
+    <message>
+        <source>no luminaire names a file</source>
+        <translation>keine Leuchte nennt eine Datei</translation>
+    </message>
+    <message>
+        <source>luminaires as obstacles</source>
+        <translation>Leuchten als Hindernisse</translation>
+    </message>
+    <message>
+        <source>no luminaire casts a shadow</source>
+        <translation>keine Leuchte wirft Schatten</translation>
+    </message>
+    <message>
+        <source>light from outside</source>
+        <translation>Licht von außen</translation>
+    </message>
+    <message>
+        <source>not yet computed</source>
+        <translation>noch nicht berechnet</translation>
+    </message>
+    <message>
+        <source>the project has no environment</source>
+        <translation>das Projekt hat keine Umgebung</translation>
+    </message>
+    <message>
+        <source>light through glass</source>
+        <translation>Licht durch Glas</translation>
+    </message>
+    <message>
+        <source>not yet computed: panes block light</source>
+        <translation>noch nicht berechnet: Scheiben halten Licht auf</translation>
+    </message>
+    <message>
+        <source>no material is glass</source>
+        <translation>kein Material ist Glas</translation>
     </message>
 </context>
 <context>
     <name>DragSession</name>
     <message>
         <source>Copy to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren als %1</translation>
     </message>
     <message numerus="yes">
         <source>Copy %n luminaires</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Leuchte kopieren</numerusform>
+            <numerusform>%n Leuchten kopieren</numerusform>
         </translation>
     </message>
     <message>
         <source>Rotate %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 drehen</translation>
     </message>
     <message numerus="yes">
         <source>Rotate %n luminaires</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Leuchte drehen</numerusform>
+            <numerusform>%n Leuchten drehen</numerusform>
         </translation>
     </message>
     <message>
         <source>Resize %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe von %1 ändern</translation>
     </message>
     <message numerus="yes">
         <source>Resize %n luminaires</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Größe von %n Leuchte ändern</numerusform>
+            <numerusform>Größe von %n Leuchten ändern</numerusform>
         </translation>
     </message>
     <message>
         <source>Move %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 verschieben</translation>
     </message>
     <message numerus="yes">
         <source>Move %n luminaires</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Leuchte verschieben</numerusform>
+            <numerusform>%n Leuchten verschieben</numerusform>
         </translation>
     </message>
 </context>
@@ -63,1941 +202,2186 @@
     <name>soffit::ui</name>
     <message>
         <source>The project was not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt wurde nicht gespeichert</translation>
     </message>
     <message>
         <source>Open a project</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt öffnen</translation>
     </message>
     <message>
         <source>Soffit projects (*.soffit);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Soffit-Projekte (*.soffit);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Import a model</source>
-        <translation type="unfinished"></translation>
+        <translation>Modell importieren</translation>
     </message>
     <message>
         <source>Models (*.obj *.gltf *.glb *.ply *.stl *.3ds *.fbx *.dae *.ifc);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Modelle (*.obj *.gltf *.glb *.ply *.stl *.3ds *.fbx *.dae *.ifc);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Save the project as</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt speichern unter</translation>
     </message>
     <message>
         <source>Soffit projects (*.soffit)</source>
-        <translation type="unfinished"></translation>
+        <translation>Soffit-Projekte (*.soffit)</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungespeicherte Änderungen</translation>
     </message>
     <message>
         <source>Save the changes to “%1”?</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen an „%1“ speichern?</translation>
     </message>
     <message>
         <source>Without saving they are lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Speichern gehen sie verloren.</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplizieren</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>Einfügen</translation>
     </message>
     <message>
         <source>Switch on</source>
-        <translation type="unfinished"></translation>
+        <translation>Einschalten</translation>
     </message>
     <message>
         <source>Switch off</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausschalten</translation>
     </message>
     <message>
         <source>Dim</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimmen</translation>
     </message>
     <message>
         <source>Export the readings</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse exportieren</translation>
     </message>
     <message>
         <source>Comma-separated values (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch Kommas getrennte Werte (*.csv)</translation>
     </message>
     <message>
         <source>The readings were not written</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ergebnisse wurden nicht geschrieben</translation>
     </message>
     <message>
         <source>General</source>
-        <translation type="unfinished"></translation>
+        <translation>Allgemein</translation>
     </message>
     <message>
         <source>Ring</source>
-        <translation type="unfinished"></translation>
+        <translation>Ringleuchte</translation>
     </message>
     <message>
         <source>⌀ 0.9 m, suspended</source>
-        <translation type="unfinished"></translation>
+        <translation>⌀ 0,9 m, abgehängt</translation>
     </message>
     <message>
         <source>Panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Panel</translation>
     </message>
     <message>
         <source>0.6 × 0.6 m</source>
-        <translation type="unfinished"></translation>
+        <translation>0,6 × 0,6 m</translation>
     </message>
     <message>
         <source>Panel long</source>
-        <translation type="unfinished"></translation>
+        <translation>Langpanel</translation>
     </message>
     <message>
         <source>1.2 × 0.3 m</source>
-        <translation type="unfinished"></translation>
+        <translation>1,2 × 0,3 m</translation>
     </message>
     <message>
         <source>Linear</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtlinie</translation>
     </message>
     <message>
         <source>1.5 m, on the ceiling</source>
-        <translation type="unfinished"></translation>
+        <translation>1,5 m, an der Decke</translation>
     </message>
     <message>
         <source>Linear suspended</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtlinie abgehängt</translation>
     </message>
     <message>
         <source>1.5 m, suspended</source>
-        <translation type="unfinished"></translation>
+        <translation>1,5 m, abgehängt</translation>
     </message>
     <message>
         <source>Pendant</source>
-        <translation type="unfinished"></translation>
+        <translation>Pendelleuchte</translation>
     </message>
     <message>
         <source>⌀ 0.4 m, suspended</source>
-        <translation type="unfinished"></translation>
+        <translation>⌀ 0,4 m, abgehängt</translation>
     </message>
     <message>
         <source>Downlight</source>
-        <translation type="unfinished"></translation>
+        <translation>Downlight</translation>
     </message>
     <message>
         <source>70°</source>
-        <translation type="unfinished"></translation>
+        <translation>70°</translation>
     </message>
     <message>
         <source>Spot</source>
-        <translation type="unfinished"></translation>
+        <translation>Spot</translation>
     </message>
     <message>
         <source>24°</source>
-        <translation type="unfinished"></translation>
+        <translation>24°</translation>
     </message>
     <message>
         <source>Track spot</source>
-        <translation type="unfinished"></translation>
+        <translation>Stromschienenstrahler</translation>
     </message>
     <message>
         <source>36°, on a track</source>
-        <translation type="unfinished"></translation>
+        <translation>36°, an der Stromschiene</translation>
     </message>
     <message>
         <source>Wall washer</source>
-        <translation type="unfinished"></translation>
+        <translation>Wandfluter</translation>
     </message>
     <message>
         <source>lights one side</source>
-        <translation type="unfinished"></translation>
+        <translation>strahlt zu einer Seite</translation>
     </message>
     <message>
         <source>Sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugel</translation>
     </message>
     <message>
         <source>⌀ 0.3 m, suspended</source>
-        <translation type="unfinished"></translation>
+        <translation>⌀ 0,3 m, abgehängt</translation>
     </message>
     <message>
         <source>Custom</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene</translation>
     </message>
     <message>
         <source>see Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>siehe Eigenschaften</translation>
     </message>
     <message>
         <source>no group</source>
-        <translation type="unfinished"></translation>
+        <translation>ohne Gruppe</translation>
     </message>
     <message>
         <source>Dim %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 dimmen</translation>
     </message>
     <message>
         <source>Switch on %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 einschalten</translation>
     </message>
     <message>
         <source>Switch off %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ausschalten</translation>
     </message>
     <message>
         <source>Colour %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtfarbe von %1 ändern</translation>
     </message>
     <message>
         <source>Light scene %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtszene %1</translation>
     </message>
     <message>
         <source>Scene %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Szene %1</translation>
     </message>
     <message>
         <source>Store light scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtszene speichern</translation>
     </message>
     <message>
         <source>Rename light scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtszene umbenennen</translation>
     </message>
     <message>
         <source>Delete light scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtszene löschen</translation>
     </message>
     <message>
         <source>As it was opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie geöffnet</translation>
     </message>
     <message>
         <source>A click goes back or forward to that step</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Klick führt zu diesem Schritt zurück oder vor</translation>
     </message>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigenschaften</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht</translation>
     </message>
     <message>
         <source>Light mixer</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtmischer</translation>
     </message>
     <message>
         <source>Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>Qualität</translation>
     </message>
     <message>
         <source>Materials</source>
-        <translation type="unfinished"></translation>
+        <translation>Materialien</translation>
     </message>
     <message>
         <source>Library</source>
-        <translation type="unfinished"></translation>
+        <translation>Bibliothek</translation>
     </message>
     <message>
         <source>Layouts</source>
-        <translation type="unfinished"></translation>
+        <translation>Varianten</translation>
     </message>
     <message>
         <source>Light list</source>
-        <translation type="unfinished"></translation>
+        <translation>Leuchtenliste</translation>
     </message>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse</translation>
     </message>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>Protokoll</translation>
     </message>
     <message>
         <source>History</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlauf</translation>
     </message>
     <message>
         <source>Lambertian</source>
-        <translation type="unfinished"></translation>
+        <translation>Lambertsch</translation>
     </message>
     <message>
         <source>Isotropic</source>
-        <translation type="unfinished"></translation>
+        <translation>Isotrop</translation>
     </message>
     <message>
         <source>RGB</source>
-        <translation type="unfinished"></translation>
+        <translation>RGB</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Grundriss</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorderansicht</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Rückansicht</translation>
+    </message>
+    <message>
+        <source>Left side</source>
+        <translation>Linke Seite</translation>
+    </message>
+    <message>
+        <source>Right side</source>
+        <translation>Rechte Seite</translation>
+    </message>
+    <message>
+        <source>Section from the front</source>
+        <translation>Schnitt von vorn</translation>
+    </message>
+    <message>
+        <source>Section from the back</source>
+        <translation>Schnitt von hinten</translation>
+    </message>
+    <message>
+        <source>Section from the left</source>
+        <translation>Schnitt von links</translation>
+    </message>
+    <message>
+        <source>Section from the right</source>
+        <translation>Schnitt von rechts</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::AboutDialog</name>
+    <message>
+        <source>About Soffit</source>
+        <translation>Über Soffit</translation>
+    </message>
+    <message>
+        <source>Interactive, converged light for indoor architecture</source>
+        <translation>Interaktives, auskonvergiertes Licht für Innenräume</translation>
+    </message>
+    <message>
+        <source>Built with %1 for Qt %2</source>
+        <translation>Gebaut mit %1 für Qt %2</translation>
+    </message>
+    <message>
+        <source>Running on %1, %2</source>
+        <translation>Läuft unter %1, %2</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Lizenz</translation>
+    </message>
+    <message>
+        <source>The libraries are those of the system; the texts of their licences lie there, in Debian in /usr/share/doc.</source>
+        <translation>Die Bibliotheken sind die des Systems; die Texte ihrer Lizenzen liegen dort, unter Debian in /usr/share/doc.</translation>
+    </message>
+    <message>
+        <source>&amp;Versions</source>
+        <translation>&amp;Versionen</translation>
+    </message>
+    <message>
+        <source>&amp;Licence of Soffit</source>
+        <translation>&amp;Lizenz von Soffit</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the versions</source>
+        <translation>Versionen &amp;kopieren</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::Aiming</name>
     <message>
         <source>Aim</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausrichten</translation>
     </message>
     <message>
         <source>Click the point to aim at. Shift: aim again. Esc: done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf den Zielpunkt klicken. Umschalt: erneut ausrichten. Esc: fertig.</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::ArrayBar</name>
     <message>
         <source>Line along x</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie entlang x</translation>
     </message>
     <message>
         <source>Line along y</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie entlang y</translation>
     </message>
     <message>
         <source>Rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechteck</translation>
     </message>
     <message>
         <source>Circle</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreis</translation>
     </message>
     <message>
         <source>Luminaires along x</source>
-        <translation type="unfinished"></translation>
+        <translation>Leuchten entlang x</translation>
     </message>
     <message>
         <source>Luminaires along y</source>
-        <translation type="unfinished"></translation>
+        <translation>Leuchten entlang y</translation>
     </message>
     <message>
         <source>Spacing along x; 0: the walls half a spacing away</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand entlang x; 0: zu den Wänden ein halber Abstand</translation>
     </message>
     <message>
         <source>Spacing along y; 0: the walls half a spacing away</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand entlang y; 0: zu den Wänden ein halber Abstand</translation>
     </message>
     <message>
         <source>Radius of the circle</source>
-        <translation type="unfinished"></translation>
+        <translation>Radius des Kreises</translation>
     </message>
     <message>
         <source>Apply</source>
-        <translation type="unfinished"></translation>
+        <translation>Anwenden</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>to the walls %1</source>
-        <translation type="unfinished"></translation>
+        <translation>zu den Wänden %1</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::Arraying</name>
     <message numerus="yes">
         <source>Array of %n luminaires</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Anordnung aus %n Leuchte</numerusform>
+            <numerusform>Anordnung aus %n Leuchten</numerusform>
         </translation>
     </message>
     <message>
         <source>Drag squares for the spacing, disks for the count. Enter: apply. Esc: give up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quadrate ziehen: Abstand; Scheiben ziehen: Anzahl. Eingabe: anwenden. Esc: verwerfen.</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::CameraControl</name>
+    <message>
+        <source>Walking at %L1 m/s: W A S D, Q down, E up, Shift faster, wheel: speed</source>
+        <translation>Gehen mit %L1 m/s: W A S D, Q abwärts, E aufwärts, Umschalt schneller, Rad: Tempo</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::CommandPalette</name>
     <message>
         <source>Commands</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle</translation>
     </message>
     <message>
         <source>Name of a command</source>
-        <translation type="unfinished"></translation>
+        <translation>Name eines Befehls</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::ComparisonBar</name>
     <message>
         <source>Base</source>
-        <translation type="unfinished"></translation>
+        <translation>Basis</translation>
     </message>
     <message>
         <source>Swap: edit the other layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Tauschen: die andere Variante bearbeiten</translation>
     </message>
     <message>
         <source>Swap the layouts</source>
-        <translation type="unfinished"></translation>
+        <translation>Varianten tauschen</translation>
     </message>
     <message>
         <source>Layout to compare with</source>
-        <translation type="unfinished"></translation>
+        <translation>Variante, mit der verglichen wird</translation>
     </message>
     <message>
         <source>Split</source>
-        <translation type="unfinished"></translation>
+        <translation>Geteilt</translation>
     </message>
     <message>
         <source>A slider between the two</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Schieber zwischen beiden</translation>
     </message>
     <message>
         <source>Side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>Nebeneinander</translation>
     </message>
     <message>
         <source>Two pictures, one camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Bilder, eine Kamera</translation>
     </message>
     <message>
         <source>Blink</source>
-        <translation type="unfinished"></translation>
+        <translation>Blinken</translation>
     </message>
     <message>
         <source>One after the other (B)</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine nach der anderen (B)</translation>
     </message>
     <message>
         <source>Difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz</translation>
     </message>
     <message>
         <source>Illuminance of the second minus that of the first, in lux</source>
-        <translation type="unfinished"></translation>
+        <translation>Beleuchtungsstärke der zweiten minus die der ersten, in Lux</translation>
     </message>
     <message>
         <source>Ends of the scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Enden der Skala</translation>
     </message>
     <message>
         <source>End the comparison (Shift+B)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich beenden (Umschalt+B)</translation>
     </message>
     <message>
         <source>End the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich beenden</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::ComparisonSession</name>
     <message>
         <source>Base</source>
-        <translation type="unfinished"></translation>
+        <translation>Basis</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::ComparisonView</name>
     <message>
         <source>Split between the layouts</source>
-        <translation type="unfinished"></translation>
+        <translation>Teilung zwischen den Varianten</translation>
     </message>
     <message>
         <source>%1 − %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 − %2</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::DifferenceModel</name>
     <message>
         <source>Ēm lx</source>
-        <translation type="unfinished"></translation>
+        <translation>Ēm lx</translation>
     </message>
     <message>
         <source>Emin lx</source>
-        <translation type="unfinished"></translation>
+        <translation>Emin lx</translation>
     </message>
     <message>
         <source>U₀</source>
-        <translation type="unfinished"></translation>
+        <translation>U₀</translation>
     </message>
     <message>
         <source>Emax lx</source>
-        <translation type="unfinished"></translation>
+        <translation>Emax lx</translation>
     </message>
     <message>
         <source>All</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle</translation>
     </message>
     <message>
         <source>Φ lm</source>
-        <translation type="unfinished"></translation>
+        <translation>Φ lm</translation>
     </message>
     <message>
         <source>lm/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>lm/m²</translation>
     </message>
     <message>
         <source>P W</source>
-        <translation type="unfinished"></translation>
+        <translation>P W</translation>
     </message>
     <message>
         <source>Base</source>
-        <translation type="unfinished"></translation>
+        <translation>Basis</translation>
     </message>
     <message>
         <source>Work plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Nutzebene</translation>
     </message>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>First</source>
-        <translation type="unfinished"></translation>
+        <translation>Erste</translation>
     </message>
     <message>
         <source>Second</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweite</translation>
     </message>
     <message>
         <source>Difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::DrawingPolygon</name>
     <message>
         <source>first corner</source>
-        <translation type="unfinished"></translation>
+        <translation>erste Ecke</translation>
     </message>
     <message>
         <source>Polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>Polygon</translation>
     </message>
     <message>
         <source>General</source>
-        <translation type="unfinished"></translation>
+        <translation>Allgemein</translation>
     </message>
     <message>
         <source>The outline crosses itself: take corners back with Backspace.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Umriss schneidet sich selbst: Ecken mit der Rücktaste zurücknehmen.</translation>
     </message>
     <message>
         <source>Click the corners of the luminaire on the ceiling. Ctrl: grid. Esc: give up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ecken der Leuchte auf der Decke anklicken. Strg: Raster. Esc: verwerfen.</translation>
     </message>
     <message>
         <source>Next corner; Enter or the first corner closes the outline. Backspace: take one back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächste Ecke; Eingabe oder die erste Ecke schließt den Umriss. Rücktaste: eine zurücknehmen.</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::GroupStrip</name>
     <message>
         <source>On</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein</translation>
     </message>
     <message>
         <source>Switch the group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe schalten</translation>
     </message>
     <message>
         <source>Solo</source>
-        <translation type="unfinished"></translation>
+        <translation>Solo</translation>
     </message>
     <message>
         <source>Only this group, to look at it; others go dark until then</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur diese Gruppe ansehen; die anderen sind solange dunkel</translation>
     </message>
     <message>
         <source>Select its luminaires</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Leuchten auswählen</translation>
     </message>
     <message>
         <source>Dimming</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimmwert</translation>
     </message>
     <message>
         <source>Dimming of the group; where its luminaires differ, of the brightest</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimmwert der Gruppe; weichen ihre Leuchten ab, der hellsten</translation>
     </message>
     <message>
         <source>Correlated colour temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Ähnlichste Farbtemperatur</translation>
     </message>
     <message>
         <source>Coloured light…</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbiges Licht…</translation>
     </message>
     <message>
         <source>Coloured light</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbiges Licht</translation>
     </message>
     <message>
         <source>No group</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Gruppe</translation>
     </message>
     <message>
         <source>Some</source>
-        <translation type="unfinished"></translation>
+        <translation>Teils</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus</translation>
     </message>
     <message>
         <source>RGB</source>
-        <translation type="unfinished"></translation>
+        <translation>RGB</translation>
     </message>
     <message>
         <source>mixed</source>
-        <translation type="unfinished"></translation>
+        <translation>gemischt</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::HelpWindow</name>
+    <message>
+        <source>Previous hit</source>
+        <translation>Vorige Fundstelle</translation>
+    </message>
+    <message>
+        <source>Next hit</source>
+        <translation>Nächste Fundstelle</translation>
+    </message>
+    <message>
+        <source>Help for Soffit</source>
+        <translation>Hilfe zu Soffit</translation>
+    </message>
+    <message>
+        <source>Search all pages</source>
+        <translation>Alle Seiten durchsuchen</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>The pages of the help were not found in %1.</source>
+        <translation>Die Seiten der Hilfe wurden in %1 nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>On no page</source>
+        <translation>Auf keiner Seite</translation>
+    </message>
+    <message numerus="yes">
+        <source>On %n page(s)</source>
+        <translation>
+            <numerusform>Auf %n Seite</numerusform>
+            <numerusform>Auf %n Seiten</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::ImportSheet</name>
     <message>
         <source>A new project</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein neues Projekt</translation>
     </message>
     <message>
         <source>The open project, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das geöffnete Projekt, %1</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 importieren</translation>
     </message>
     <message>
         <source>Metres</source>
-        <translation type="unfinished"></translation>
+        <translation>Meter</translation>
     </message>
     <message>
         <source>Centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Zentimeter</translation>
     </message>
     <message>
         <source>Millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Millimeter</translation>
     </message>
     <message>
         <source>Feet</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuß</translation>
     </message>
     <message>
         <source>Inches</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoll</translation>
     </message>
     <message>
         <source>What one unit of the file is; files that state their unit are in metres already</source>
-        <translation type="unfinished"></translation>
+        <translation>Was eine Einheit der Datei bedeutet; Dateien, die ihre Einheit angeben, liegen bereits in Metern vor</translation>
     </message>
     <message>
         <source>As the file says</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie in der Datei angegeben</translation>
     </message>
     <message>
         <source>Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Z</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Y</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>Importieren</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>Up axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse nach oben</translation>
     </message>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswählen…</translation>
     </message>
     <message>
         <source>Into</source>
-        <translation type="unfinished"></translation>
+        <translation>In</translation>
     </message>
     <message>
         <source>Reading the model…</source>
-        <translation type="unfinished"></translation>
+        <translation>Modell wird gelesen…</translation>
     </message>
     <message>
         <source>Unusual for a building: is the unit right?</source>
-        <translation type="unfinished"></translation>
+        <translation>Ungewöhnlich für ein Gebäude: Stimmt die Einheit?</translation>
     </message>
     <message>
         <source>The new project</source>
-        <translation type="unfinished"></translation>
+        <translation>Das neue Projekt</translation>
     </message>
     <message>
         <source>Soffit projects (*.soffit)</source>
-        <translation type="unfinished"></translation>
+        <translation>Soffit-Projekte (*.soffit)</translation>
+    </message>
+    <message>
+        <source>%L1 triangles, %L2 materials, %3 × %4 m in plan, %5 m high</source>
+        <translation>%L1 Dreiecke, %L2 Materialien, %3 × %4 m im Grundriss, %5 m hoch</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::KeysDialog</name>
     <message>
         <source>&amp;Assign</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zuweisen</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu&amp;rücksetzen</translation>
     </message>
     <message>
         <source>Mouse and keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Maus und Tasten</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tasten</translation>
     </message>
     <message>
         <source>&amp;Mouse and dragging</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Maus und Ziehen</translation>
     </message>
     <message>
         <source>%1 › %2 has these keys and will lose them.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 › %2 hat diese Tasten und verliert sie.</translation>
     </message>
     <message>
         <source>Command or key</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl oder Taste</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>Keys as in another program, for the commands that Soffit has, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten wie in einem anderen Programm, für Befehle, die auch Soffit hat</translation>
     </message>
     <message>
         <source>Reset a&amp;ll</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alle zurücksetzen</translation>
     </message>
     <message>
         <source>As in</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie in</translation>
     </message>
     <message>
         <source>New keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Neue Tasten</translation>
     </message>
     <message>
         <source>Left</source>
-        <translation type="unfinished"></translation>
+        <translation>Links</translation>
     </message>
     <message>
         <source>select; drag a luminaire or the gizmo; elsewhere orbit</source>
-        <translation type="unfinished"></translation>
+        <translation>auswählen; eine Leuchte oder den Manipulator ziehen; sonst um den Raum kreisen</translation>
     </message>
     <message>
         <source>Shift or Ctrl + click</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt oder Strg + Klick</translation>
     </message>
     <message>
         <source>add to the selection, remove from it</source>
-        <translation type="unfinished"></translation>
+        <translation>zur Auswahl hinzufügen, daraus entfernen</translation>
     </message>
     <message>
         <source>Shift or Ctrl + drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt oder Strg + Ziehen</translation>
     </message>
     <message>
         <source>from an empty place: select by a rubber band</source>
-        <translation type="unfinished"></translation>
+        <translation>ab einer leeren Stelle: mit einem Rahmen auswählen</translation>
     </message>
     <message>
         <source>Shift + drag a luminaire</source>
-        <translation type="unfinished"></translation>
+        <translation>Umschalt + Leuchte ziehen</translation>
     </message>
     <message>
         <source>drag a copy</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Kopie ziehen</translation>
     </message>
     <message>
         <source>Double click</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelklick</translation>
     </message>
     <message>
         <source>a luminaire: its properties; a surface: its material</source>
-        <translation type="unfinished"></translation>
+        <translation>auf eine Leuchte: ihre Eigenschaften; auf eine Fläche: ihr Material</translation>
     </message>
     <message>
         <source>Middle, or Shift + right</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte, oder Umschalt + rechts</translation>
     </message>
     <message>
         <source>pan</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht verschieben</translation>
     </message>
     <message>
         <source>Right</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechts</translation>
     </message>
     <message>
         <source>look round</source>
-        <translation type="unfinished"></translation>
+        <translation>umsehen</translation>
     </message>
     <message>
         <source>Wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Rad</translation>
     </message>
     <message>
         <source>move toward what is under the cursor</source>
-        <translation type="unfinished"></translation>
+        <translation>auf das zugehen, was unter dem Zeiger liegt</translation>
     </message>
     <message>
         <source>While dragging: X, Y, Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Ziehen: X, Y, Z</translation>
     </message>
     <message>
         <source>lock an axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Achse sperren</translation>
     </message>
     <message>
         <source>While dragging: digits</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Ziehen: Ziffern</translation>
     </message>
     <message>
         <source>type a value, such as 1.2 or 120 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>einen Wert eintippen, etwa 1,2 oder 120 cm</translation>
     </message>
     <message>
         <source>While dragging: Ctrl</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Ziehen: Strg</translation>
     </message>
     <message>
         <source>whole steps</source>
-        <translation type="unfinished"></translation>
+        <translation>ganze Schritte</translation>
     </message>
     <message>
         <source>While dragging: Alt</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Ziehen: Alt</translation>
     </message>
     <message>
         <source>do not snap</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht einrasten</translation>
     </message>
     <message>
         <source>Enter, Esc</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingabe, Esc</translation>
     </message>
     <message>
         <source>end a drag; give it up, or select nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen beenden; verwerfen oder Auswahl aufheben</translation>
     </message>
     <message>
         <source>1 to 9, Ctrl + 1 to 9</source>
-        <translation type="unfinished"></translation>
+        <translation>1 bis 9, Strg + 1 bis 9</translation>
     </message>
     <message>
         <source>recall a light scene, store one</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Lichtszene abrufen, eine speichern</translation>
     </message>
     <message>
         <source>V</source>
-        <translation type="unfinished"></translation>
+        <translation>V</translation>
     </message>
     <message>
         <source>next layout</source>
-        <translation type="unfinished"></translation>
+        <translation>nächste Variante</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::LayoutsPanel</name>
     <message>
         <source>Layouts</source>
-        <translation type="unfinished"></translation>
+        <translation>Varianten</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>Duplizieren</translation>
     </message>
     <message>
         <source>A copy of this layout to change</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kopie dieser Variante zum Ändern</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Delete this layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Variante löschen</translation>
     </message>
     <message>
         <source>Move up</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach oben</translation>
     </message>
     <message>
         <source>Move down</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach unten</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Compare the layout shown with another</source>
-        <translation type="unfinished"></translation>
+        <translation>Die angezeigte Variante mit einer anderen vergleichen</translation>
     </message>
     <message>
         <source>Base</source>
-        <translation type="unfinished"></translation>
+        <translation>Basis</translation>
     </message>
     <message>
         <source>What all layouts have in common</source>
-        <translation type="unfinished"></translation>
+        <translation>Was alle Varianten gemeinsam haben</translation>
     </message>
     <message>
         <source>F2: rename; drag: another place</source>
-        <translation type="unfinished"></translation>
+        <translation>F2: umbenennen; Ziehen: andere Stelle</translation>
     </message>
     <message>
         <source>Layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Variante</translation>
     </message>
     <message>
         <source>Duplicate layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Variante duplizieren</translation>
     </message>
     <message>
         <source>Delete layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Variante löschen</translation>
     </message>
     <message>
         <source>Rename layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Variante umbenennen</translation>
     </message>
     <message>
         <source>Move layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Variante verschieben</translation>
     </message>
     <message>
         <source>Rename</source>
-        <translation type="unfinished"></translation>
+        <translation>Umbenennen</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::Legend</name>
     <message>
         <source>Scale of illuminance</source>
-        <translation type="unfinished"></translation>
+        <translation>Skala der Beleuchtungsstärke</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::LibraryPanel</name>
     <message>
         <source>Search: name, lumens, angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche: Name, Lumen, Winkel</translation>
     </message>
     <message>
         <source>Kinds of luminaires</source>
-        <translation type="unfinished"></translation>
+        <translation>Leuchtenarten</translation>
     </message>
     <message>
         <source>Click, then click in the view; or drag it there</source>
-        <translation type="unfinished"></translation>
+        <translation>Anklicken, dann in die Ansicht klicken; oder dorthin ziehen</translation>
     </message>
     <message>
         <source>Folders</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner</translation>
     </message>
     <message>
         <source>Add a folder of IES and LDT files…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner mit IES- und LDT-Dateien hinzufügen…</translation>
     </message>
     <message>
         <source>Forget %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 entfernen</translation>
     </message>
     <message numerus="yes">
         <source>%n files could not be read</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Datei konnte nicht gelesen werden</numerusform>
+            <numerusform>%n Dateien konnten nicht gelesen werden</numerusform>
         </translation>
     </message>
     <message>
         <source>Folder of photometric files</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner mit Photometriedateien</translation>
     </message>
     <message>
         <source>Reading…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gelesen…</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::LightsModel</name>
     <message>
         <source>Luminaire</source>
-        <translation type="unfinished"></translation>
+        <translation>Leuchte</translation>
     </message>
     <message>
         <source>Dim</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimmwert</translation>
     </message>
     <message>
         <source>Flux</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtstrom</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtfarbe</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>Rename to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Umbenennen in %1</translation>
     </message>
     <message>
         <source>Change flux</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtstrom ändern</translation>
     </message>
     <message>
         <source>Change colour temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbtemperatur ändern</translation>
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschieben</translation>
     </message>
     <message>
         <source>Change group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe ändern</translation>
     </message>
     <message>
         <source>Switch on</source>
-        <translation type="unfinished"></translation>
+        <translation>Einschalten</translation>
     </message>
     <message>
         <source>Switch off</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausschalten</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::LightsPanel</name>
     <message>
         <source>Filter by name, group, colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Name, Gruppe, Lichtfarbe filtern</translation>
     </message>
     <message>
         <source>Luminaires</source>
-        <translation type="unfinished"></translation>
+        <translation>Leuchten</translation>
     </message>
     <message>
         <source>Double-click or F2 to edit all that are selected: 80 %, +=10, *=1.2</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelklick oder F2 bearbeitet alle ausgewählten: 80 %, +=10, *=1,2</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::LogPanel</name>
     <message>
         <source>Log</source>
-        <translation type="unfinished"></translation>
+        <translation>Protokoll</translation>
     </message>
     <message>
         <source>Warning: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>soffit::ui::LuminaireDrag</name>
-    <message>
-        <source>_ ?</source>
-        <translation type="unfinished"></translation>
+        <translation>Warnung: %1</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::LuminairePanel</name>
     <message>
         <source>Switched on</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingeschaltet</translation>
     </message>
     <message>
         <source>Dimming</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimmwert</translation>
     </message>
     <message>
         <source>Share of the full flux</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil am vollen Lichtstrom</translation>
     </message>
     <message>
         <source>Luminous flux over the whole luminaire, undimmed: 1200 lm, 1.2 klm</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtstrom der ganzen Leuchte, ungedimmt: 1200 lm, 1,2 klm</translation>
     </message>
     <message>
         <source>Correlated colour temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Ähnlichste Farbtemperatur</translation>
     </message>
     <message>
         <source>mixed or none</source>
-        <translation type="unfinished"></translation>
+        <translation>gemischt oder keine</translation>
     </message>
     <message>
         <source>Its body casts shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>Leuchtenkörper wirft Schatten</translation>
     </message>
     <message>
         <source>Flux</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtstrom</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtfarbe</translation>
     </message>
     <message>
         <source>Position</source>
-        <translation type="unfinished"></translation>
+        <translation>Position</translation>
     </message>
     <message>
-        <source>x, y, z of the luminaire&apos;s origin: 3.2 m, 320 cm, 10&apos; 6&quot;</source>
-        <translation type="unfinished"></translation>
+        <source>x, y, z of the luminaire's origin: 3.2 m, 320 cm, 10' 6"</source>
+        <translation>x, y, z des Leuchtenursprungs: 3,2 m, 320 cm, 10' 6"</translation>
     </message>
     <message>
         <source>Rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung</translation>
     </message>
     <message>
         <source>About the fixed x, y and z axes, in that order: 40 deg</source>
-        <translation type="unfinished"></translation>
+        <translation>Um die festen Achsen x, y und z, in dieser Reihenfolge: 40 deg</translation>
     </message>
     <message>
         <source>Shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form</translation>
     </message>
     <message>
         <source>Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe</translation>
     </message>
     <message>
         <source>Switch on</source>
-        <translation type="unfinished"></translation>
+        <translation>Einschalten</translation>
     </message>
     <message>
         <source>Switch off</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausschalten</translation>
     </message>
     <message>
         <source>Dim</source>
-        <translation type="unfinished"></translation>
+        <translation>Dimmen</translation>
     </message>
     <message>
         <source>Change flux</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtstrom ändern</translation>
     </message>
     <message>
         <source>Change colour temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbtemperatur ändern</translation>
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschieben</translation>
     </message>
     <message>
         <source>Rotate</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehen</translation>
     </message>
     <message>
         <source>Change shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form ändern</translation>
     </message>
     <message>
         <source>Change group</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe ändern</translation>
     </message>
     <message>
         <source>Let it cast shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>Schatten werfen lassen</translation>
     </message>
     <message>
         <source>Let it cast no shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>Keinen Schatten werfen lassen</translation>
     </message>
     <message>
         <source>Select a luminaire in the view or in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Leuchte in der Ansicht oder in der Liste auswählen.</translation>
     </message>
     <message numerus="yes">
         <source>%n luminaires</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Leuchte</numerusform>
+            <numerusform>%n Leuchten</numerusform>
         </translation>
     </message>
     <message>
         <source>RGB</source>
-        <translation type="unfinished"></translation>
+        <translation>RGB</translation>
     </message>
     <message>
         <source>mixed</source>
-        <translation type="unfinished"></translation>
+        <translation>gemischt</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::MainWindow</name>
     <message>
         <source>Select the luminaire that is to be repeated first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst die Leuchte auswählen, die wiederholt werden soll.</translation>
     </message>
     <message>
         <source>&amp;Line</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Linie</translation>
     </message>
     <message>
         <source>&amp;Rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rechteck</translation>
     </message>
     <message>
         <source>&amp;Circle</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kreis</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Undo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>Ctrl+Shift+Z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+Z</translation>
     </message>
     <message>
         <source>Ctrl+Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Y</translation>
     </message>
     <message>
         <source>Cu&amp;t</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;usschneiden</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kopieren</translation>
     </message>
     <message>
         <source>&amp;Paste</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einfügen</translation>
     </message>
     <message>
         <source>Not pasted</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht eingefügt</translation>
     </message>
     <message>
         <source>&amp;Duplicate</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Duplizieren</translation>
     </message>
     <message>
         <source>Ctrl+D</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+D</translation>
     </message>
     <message>
         <source>De&amp;lete</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Löschen</translation>
     </message>
     <message>
         <source>Select &amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alles auswählen</translation>
     </message>
     <message>
         <source>&amp;Snap to</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;inrasten an</translation>
     </message>
     <message>
         <source>&amp;Move</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verschieben</translation>
     </message>
     <message>
         <source>&amp;Rotate</source>
-        <translation type="unfinished"></translation>
+        <translation>D&amp;rehen</translation>
     </message>
     <message>
         <source>Resi&amp;ze</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Größe ändern</translation>
     </message>
     <message>
         <source>&amp;Ceiling and walls</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Decke und Wänden</translation>
     </message>
     <message>
         <source>Also the middle between two walls</source>
-        <translation type="unfinished"></translation>
+        <translation>Auch in der Mitte zwischen zwei Wänden</translation>
     </message>
     <message>
         <source>Other &amp;luminaires</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderen &amp;Leuchten</translation>
     </message>
     <message>
         <source>Their axes, and their spacing carried on</source>
-        <translation type="unfinished"></translation>
+        <translation>An ihren Achsen und mit gleichem Abstand weiter</translation>
     </message>
     <message>
         <source>&amp;Grid of 0.1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Raster von 0,1 m</translation>
     </message>
     <message>
         <source>Where nothing else attracts; Ctrl while dragging does the same</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo sonst nichts anzieht; Strg beim Ziehen bewirkt dasselbe</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>&amp;New</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neu</translation>
     </message>
     <message>
         <source>An empty project</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein leeres Projekt</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>&amp;Import a model…</source>
-        <translation type="unfinished"></translation>
+        <translation>Modell &amp;importieren…</translation>
     </message>
     <message>
         <source>Ctrl+I</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+I</translation>
     </message>
     <message>
         <source>Architecture or furniture, into a new project or this one</source>
-        <translation type="unfinished"></translation>
+        <translation>Architektur oder Möbel, in ein neues Projekt oder in dieses</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>None yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>S&amp;ample projects</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine</translation>
     </message>
     <message>
         <source>&amp;Close project</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt s&amp;chließen</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern &amp;unter…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+S</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+S</translation>
     </message>
     <message>
         <source>&amp;Export the view…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht exportieren…</translation>
     </message>
     <message>
         <source>Ctrl+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+E</translation>
     </message>
     <message>
         <source>A picture of the view at any size, without gizmo and outlines</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Export a &amp;set of pictures…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild der Ansicht in beliebiger Größe, ohne Manipulator und Umrisse</translation>
     </message>
     <message>
         <source>Ctrl+Shift+E</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+E</translation>
     </message>
     <message>
         <source>From cameras and of layouts, into a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus Kameras und von Varianten, in einen Ordner</translation>
     </message>
     <message>
         <source>Cop&amp;y the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild &amp;kopieren</translation>
     </message>
     <message>
         <source>Ctrl+Shift+C</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+C</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>Ctrl+Q</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Q</translation>
     </message>
     <message>
         <source>Photometric file</source>
-        <translation type="unfinished"></translation>
+        <translation>Photometriedatei</translation>
     </message>
     <message>
         <source>Photometry (*.ies *.IES *.ldt *.LDT)</source>
-        <translation type="unfinished"></translation>
+        <translation>Photometrie (*.ies *.IES *.ldt *.LDT)</translation>
     </message>
     <message>
         <source>The file was not read</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei wurde nicht gelesen</translation>
     </message>
     <message>
         <source>Mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Mesh</translation>
     </message>
     <message>
         <source>Models (*.obj *.OBJ *.ply *.stl *.glb *.gltf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Modelle (*.obj *.OBJ *.ply *.stl *.glb *.gltf)</translation>
     </message>
     <message>
         <source>The mesh was not read</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Mesh wurde nicht gelesen</translation>
     </message>
     <message>
         <source>&amp;Insert</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einfügen</translation>
     </message>
     <message>
         <source>From a &amp;photometric file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus &amp;Photometriedatei…</translation>
     </message>
     <message>
         <source>From a &amp;mesh file…</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus &amp;Mesh-Datei…</translation>
     </message>
     <message>
         <source>OBJ and other models</source>
-        <translation type="unfinished"></translation>
+        <translation>OBJ und andere Modelle</translation>
     </message>
     <message>
         <source>Make &amp;luminous</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Leuchtend machen</translation>
     </message>
     <message>
         <source>Click a part of the building that is to give light</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Teil des Gebäudes anklicken, der leuchten soll</translation>
     </message>
     <message>
         <source>&amp;Draw a luminaire</source>
-        <translation type="unfinished"></translation>
+        <translation>Leuchte &amp;zeichnen</translation>
     </message>
     <message>
         <source>Corner by corner, on the ceiling</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecke für Ecke, auf der Decke</translation>
     </message>
     <message>
         <source>L&amp;ayouts</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Varianten</translation>
     </message>
     <message>
         <source>&amp;Duplicate the layout shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Angezeigte Variante &amp;duplizieren</translation>
     </message>
     <message>
         <source>Ctrl+L</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+L</translation>
     </message>
     <message>
         <source>&amp;Rename…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Umbenennen…</translation>
     </message>
     <message>
         <source>De&amp;lete the layout shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Angezeigte Variante &amp;löschen</translation>
     </message>
     <message>
         <source>Move &amp;up</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach &amp;oben</translation>
     </message>
     <message>
         <source>Move do&amp;wn</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach un&amp;ten</translation>
     </message>
     <message>
         <source>&amp;Next layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Nä&amp;chste Variante</translation>
     </message>
     <message>
         <source>Compare with a &amp;slider</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen mit &amp;Schieber</translation>
     </message>
     <message>
         <source>Compare side &amp;by side</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nebeneinander vergleichen</translation>
     </message>
     <message>
         <source>Bl&amp;ink</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Blinken</translation>
     </message>
     <message>
         <source>This layout and another in turn; again: stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Variante und eine andere im Wechsel; nochmals: Ende</translation>
     </message>
     <message>
         <source>Difference in lu&amp;x</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz in Lu&amp;x</translation>
     </message>
     <message>
         <source>&amp;End the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich b&amp;eenden</translation>
     </message>
     <message>
         <source>Shift+B</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+B</translation>
     </message>
     <message>
         <source>&amp;Luminaire</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Leuchte</translation>
     </message>
     <message>
         <source>Switch &amp;on or off</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ein- oder ausschalten</translation>
     </message>
     <message>
         <source>&amp;Dim to</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dimmen auf</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>&amp;Aim at…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ausrichten auf…</translation>
     </message>
     <message>
         <source>Click the point of a surface that the selection is to light</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Punkt einer Fläche anklicken, den die Auswahl beleuchten soll</translation>
     </message>
     <message>
         <source>A&amp;rray</source>
-        <translation type="unfinished"></translation>
+        <translation>An&amp;ordnung</translation>
     </message>
     <message>
         <source>&amp;Hide</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus&amp;blenden</translation>
     </message>
     <message>
         <source>Hide o&amp;thers</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;ndere ausblenden</translation>
     </message>
     <message>
         <source>Shift+H</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+H</translation>
     </message>
     <message>
         <source>&amp;Show all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle e&amp;inblenden</translation>
     </message>
     <message>
         <source>Ctrl+H</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+H</translation>
     </message>
     <message>
         <source>&amp;Light scenes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Lichtszenen</translation>
     </message>
     <message>
         <source>Recall scene %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Szene %1 abrufen</translation>
     </message>
     <message>
         <source>Store scene %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Szene %1 speichern</translation>
     </message>
     <message>
         <source>The project was not opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt wurde nicht geöffnet</translation>
     </message>
     <message>
         <source>opening %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird geöffnet</translation>
     </message>
     <message>
         <source>Soffit</source>
-        <translation type="unfinished"></translation>
+        <translation>Soffit</translation>
     </message>
     <message>
         <source>%1[*] – Soffit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] – Soffit</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>Frame &amp;all</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alles einpassen</translation>
     </message>
     <message>
         <source>Frame &amp;selection</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Plan from above</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus&amp;wahl einpassen</translation>
     </message>
     <message>
         <source>Shift+Home</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Through the ceiling, to arrange and draw</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+Home</translation>
     </message>
     <message>
         <source>&amp;False colours</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Falschfarben</translation>
     </message>
     <message>
         <source>Illuminance by colour, with a scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Beleuchtungsstärke als Farbe, mit Skala</translation>
     </message>
     <message>
         <source>&amp;Brighter</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Heller</translation>
     </message>
     <message>
         <source>Ctrl+Up</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Up</translation>
     </message>
     <message>
         <source>&amp;Darker</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dunkler</translation>
     </message>
     <message>
         <source>Ctrl+Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Down</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbs&amp;chema</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>&amp;Window</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Fenster</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Commands...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>Ctrl+Shift+P</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+Shift+P</translation>
     </message>
     <message>
         <source>Run any command by a few letters of its name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Mouse and keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeden Befehl über einige Buchstaben seines Namens ausführen</translation>
     </message>
     <message>
         <source>What the mouse does, and the keys of all commands, to change</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Maus tut, und die Tasten aller Befehle, zum Ändern</translation>
     </message>
     <message>
         <source>?</source>
-        <translation type="unfinished"></translation>
+        <translation>?</translation>
     </message>
     <message>
         <source>&amp;About Soffit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>About Soffit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Soffit %1&lt;/b&gt;&lt;p&gt;Interactive, converged light for indoor architecture.&lt;/p&gt;&lt;p&gt;MIT licence. With Qt %2 (LGPL 3), VTK (BSD 3), OpenColorIO, Embree, OpenImageIO and others, as the system provides them.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>Ü&amp;ber Soffit</translation>
     </message>
     <message>
         <source>&amp;Results</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;rgebnisse</translation>
     </message>
     <message>
         <source>Show the &amp;table</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tabelle anzeigen</translation>
     </message>
     <message>
         <source>Ctrl+R</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+R</translation>
     </message>
     <message>
         <source>&amp;Copy the table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle &amp;kopieren</translation>
     </message>
     <message>
         <source>As text for a spreadsheet</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Text für eine Tabellenkalkulation</translation>
     </message>
     <message>
         <source>&amp;Export the table…</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle &amp;exportieren…</translation>
     </message>
     <message>
         <source>The figures of all layouts as comma-separated values</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahlen aller Varianten als durch Kommas getrennte Werte</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>The language changes when Soffit is started again.</source>
+        <translation>Die Sprache wechselt beim nächsten Start von Soffit.</translation>
+    </message>
+    <message>
+        <source>Sa&amp;mple projects</source>
+        <translation>Beispiel&amp;projekte</translation>
+    </message>
+    <message>
+        <source>Export a se&amp;t of pictures…</source>
+        <translation>Bilderserie e&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Contents</source>
+        <translation>&amp;Inhalt</translation>
+    </message>
+    <message>
+        <source>How Soffit is used, with a search; from a panel: the page on it</source>
+        <translation>Wie Soffit benutzt wird, mit Suche; aus einem Fenster: die Seite dazu</translation>
+    </message>
+    <message>
+        <source>Co&amp;mmands…</source>
+        <translation>Befe&amp;hle…</translation>
+    </message>
+    <message>
+        <source>Mouse and &amp;keys</source>
+        <translation>Maus und &amp;Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>An&amp;sicht von</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious place</source>
+        <translation>&amp;Voriger Standort</translation>
+    </message>
+    <message>
+        <source>Alt+Left</source>
+        <translation>Alt+Left</translation>
+    </message>
+    <message>
+        <source>Back to where this view was looked from before</source>
+        <translation>Dorthin zurück, von wo diese Ansicht zuvor gesehen wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Next place</source>
+        <translation>&amp;Nächster Standort</translation>
+    </message>
+    <message>
+        <source>Alt+Right</source>
+        <translation>Alt+Right</translation>
+    </message>
+    <message>
+        <source>Forward again after going back</source>
+        <translation>Nach dem Zurückgehen wieder vor</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspektive</translation>
+    </message>
+    <message>
+        <source>Alt+1</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>As the eye sees; as it was left</source>
+        <translation>Wie das Auge sieht; wie zuletzt verlassen</translation>
+    </message>
+    <message>
+        <source>P&amp;lan</source>
+        <translation>&amp;Grundriss</translation>
+    </message>
+    <message>
+        <source>From above, cut above the tables</source>
+        <translation>Von oben, über den Tischen geschnitten</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Vorderansicht</translation>
+    </message>
+    <message>
+        <source>Alt+2</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Rückansicht</translation>
+    </message>
+    <message>
+        <source>Alt+3</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>L&amp;eft side</source>
+        <translation>L&amp;inke Seite</translation>
+    </message>
+    <message>
+        <source>Alt+4</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Right side</source>
+        <translation>R&amp;echte Seite</translation>
+    </message>
+    <message>
+        <source>Alt+5</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>&amp;Section from the front</source>
+        <translation>&amp;Schnitt von vorn</translation>
+    </message>
+    <message>
+        <source>Alt+6</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Section from the b&amp;ack</source>
+        <translation>Schnitt von &amp;hinten</translation>
+    </message>
+    <message>
+        <source>Alt+7</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Section from the lef&amp;t</source>
+        <translation>Schnitt von &amp;links</translation>
+    </message>
+    <message>
+        <source>Alt+8</source>
+        <translation type="unfinished" />
+    </message>
+    <message>
+        <source>Section from the ri&amp;ght</source>
+        <translation>Schnitt von re&amp;chts</translation>
+    </message>
+    <message>
+        <source>Alt+9</source>
+        <translation type="unfinished" />
     </message>
 </context>
 <context>
     <name>soffit::ui::MakingLuminous</name>
     <message>
         <source>too large a part</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil zu groß</translation>
     </message>
     <message>
         <source>Click the part of the building that is to give light. Shift: several. Esc: done.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Teil des Gebäudes anklicken, der leuchten soll. Umschalt: mehrere. Esc: fertig.</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::MaterialsPanel</name>
     <message>
         <source>Materials</source>
-        <translation type="unfinished"></translation>
+        <translation>Materialien</translation>
     </message>
     <message>
         <source>Reflectance</source>
-        <translation type="unfinished"></translation>
+        <translation>Reflexionsgrad</translation>
     </message>
     <message>
         <source>Reflectance ρ: the share of white light that comes back</source>
-        <translation type="unfinished"></translation>
+        <translation>Reflexionsgrad ρ: Anteil weißen Lichts, der zurückkommt</translation>
     </message>
     <message>
         <source>More than 90 %: white paint reaches 85 to 90 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehr als 90 %: weiße Farbe erreicht 85 bis 90 %</translation>
     </message>
     <message>
         <source>Its colour; the reflectance stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Farbe; der Reflexionsgrad bleibt</translation>
     </message>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswählen…</translation>
     </message>
     <message>
         <source>Gloss seen straight on: 4 % for paint, wood and plastics, more for metals</source>
-        <translation type="unfinished"></translation>
+        <translation>Glanz senkrecht gesehen: 4 % für Anstrich, Holz und Kunststoff, mehr für Metalle</translation>
     </message>
     <message>
         <source>Roughness</source>
-        <translation type="unfinished"></translation>
+        <translation>Rauheit</translation>
     </message>
     <message>
         <source>0 % is a mirror, 100 % the widest gloss</source>
-        <translation type="unfinished"></translation>
+        <translation>0 % ist ein Spiegel, 100 % der breiteste Glanz</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe</translation>
     </message>
     <message>
         <source>Specular</source>
-        <translation type="unfinished"></translation>
+        <translation>Glanz</translation>
     </message>
     <message>
         <source>Change reflectance</source>
-        <translation type="unfinished"></translation>
+        <translation>Reflexionsgrad ändern</translation>
     </message>
     <message>
         <source>Change gloss</source>
-        <translation type="unfinished"></translation>
+        <translation>Glanz ändern</translation>
     </message>
     <message>
         <source>Change roughness</source>
-        <translation type="unfinished"></translation>
+        <translation>Rauheit ändern</translation>
     </message>
     <message>
         <source>Change colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe ändern</translation>
     </message>
     <message>
         <source>glass</source>
-        <translation type="unfinished"></translation>
+        <translation>Glas</translation>
     </message>
     <message>
         <source>Glass: it reflects nothing until it is computed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Glas: reflektiert nichts, solange es nicht berechnet wird.</translation>
     </message>
     <message>
         <source>Its picture %1 is multiplied by the colour.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sein Bild %1 wird mit der Farbe multipliziert.</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::MixerPanel</name>
     <message>
         <source>Luminaires with the same group are mixed here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Leuchten derselben Leuchtengruppe werden hier gemischt.</translation>
     </message>
     <message>
         <source>Scenes</source>
-        <translation type="unfinished"></translation>
+        <translation>Szenen</translation>
     </message>
     <message>
         <source>Store what is lit now as a scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Das jetzige Licht als Szene speichern</translation>
     </message>
     <message>
         <source>Colour of the light</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe des Lichts</translation>
     </message>
     <message>
         <source>%1 (key %2). Right-click: rename, store, delete</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (Taste %2). Rechtsklick: umbenennen, speichern, löschen</translation>
     </message>
     <message>
         <source>&amp;Rename…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Umbenennen…</translation>
     </message>
     <message>
         <source>Light scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtszene</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>&amp;Store what is lit now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetziges Licht &amp;speichern</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Löschen</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::PictureDialog</name>
     <message>
         <source>Base</source>
-        <translation type="unfinished"></translation>
+        <translation>Basis</translation>
     </message>
     <message>
         <source>Export the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht exportieren</translation>
     </message>
     <message>
         <source>Export a set of pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilderserie exportieren</translation>
     </message>
     <message>
         <source>Cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras</translation>
     </message>
     <message>
         <source>Layouts</source>
-        <translation type="unfinished"></translation>
+        <translation>Varianten</translation>
     </message>
     <message>
         <source>As the view, %1 × %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Ansicht, %1 × %2</translation>
     </message>
     <message>
         <source>Twice the view, %1 × %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelte Ansicht, %1 × %2</translation>
     </message>
     <message>
         <source>Other</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere</translation>
     </message>
     <message>
         <source> px</source>
-        <translation type="unfinished"></translation>
+        <translation> px</translation>
     </message>
     <message>
         <source>PNG, as it is seen</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG, wie angezeigt</translation>
     </message>
     <message>
         <source>JPEG, as it is seen</source>
-        <translation type="unfinished"></translation>
+        <translation>JPEG, wie angezeigt</translation>
     </message>
     <message>
         <source>TIFF, as it is seen</source>
-        <translation type="unfinished"></translation>
+        <translation>TIFF, wie angezeigt</translation>
     </message>
     <message>
         <source>OpenEXR, luminance in cd/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenEXR, Leuchtdichte in cd/m²</translation>
     </message>
     <message>
         <source>Legend of false colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Legende der Falschfarben</translation>
     </message>
     <message>
         <source>Title: project, layout and camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Titel: Projekt, Variante und Kamera</translation>
     </message>
     <message>
         <source>Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren…</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
+        <translation>Format</translation>
     </message>
     <message numerus="yes">
         <source>%n picture(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bilder</numerusform>
         </translation>
     </message>
 </context>
@@ -2005,645 +2389,670 @@
     <name>soffit::ui::PictureExport</name>
     <message>
         <source>Wrote %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 geschrieben</translation>
     </message>
     <message>
         <source>Export the view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht exportieren</translation>
     </message>
     <message>
         <source>Pictures (*.%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder (*.%1)</translation>
     </message>
     <message>
         <source>The project has no cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt hat keine Kameras</translation>
     </message>
     <message>
         <source>Save views in the View panel: the set takes a picture from each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern Sie Ansichten im Fenster „Ansicht“: Die Serie nimmt aus jeder ein Bild auf.</translation>
     </message>
     <message>
         <source>Folder for the pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner für die Bilder</translation>
     </message>
     <message>
         <source>Base</source>
-        <translation type="unfinished"></translation>
+        <translation>Basis</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht</translation>
     </message>
     <message>
         <source>taking pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder werden aufgenommen</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::Placing</name>
     <message>
         <source>Place %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 platzieren</translation>
     </message>
     <message>
         <source>%1: click where it goes. Space: turn. Shift: place several. Alt: no snapping. Esc: done.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Einbauort anklicken. Leertaste: drehen. Umschalt: mehrere platzieren. Alt: nicht einrasten. Esc: fertig.</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::ProjectFiles</name>
     <message>
         <source>Untitled</source>
-        <translation type="unfinished"></translation>
+        <translation>Unbenannt</translation>
     </message>
     <message>
         <source>No project can be made</source>
-        <translation type="unfinished"></translation>
+        <translation>Es kann kein Projekt angelegt werden</translation>
     </message>
     <message>
         <source>The folder %1 cannot be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner %1 ist nicht beschreibbar.</translation>
     </message>
     <message>
         <source>importing %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird importiert</translation>
     </message>
     <message>
         <source>The model was not imported</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Modell wurde nicht importiert</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 importieren</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::ProjectSession</name>
     <message>
         <source>The picture was not written</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild wurde nicht geschrieben</translation>
     </message>
     <message>
         <source>Computing the first light…</source>
-        <translation type="unfinished"></translation>
+        <translation>Das erste Licht wird berechnet…</translation>
     </message>
     <message>
         <source>The precomputation was cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Vorberechnung wurde abgebrochen</translation>
     </message>
     <message>
         <source>No light was computed</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde kein Licht berechnet</translation>
     </message>
     <message>
         <source>Wrote %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 geschrieben</translation>
     </message>
     <message>
         <source>Drop the model of a building here, or import one: File ▸ Import a model</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gebäudemodell hier ablegen oder importieren: Datei ▸ Modell importieren</translation>
     </message>
     <message>
         <source>View %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht %1</translation>
     </message>
     <message>
         <source>Save camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera speichern</translation>
     </message>
     <message>
         <source>Exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Belichtung</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::QualityPanel</name>
     <message>
         <source>Draft: quick to precompute</source>
-        <translation type="unfinished"></translation>
+        <translation>Entwurf: schnell vorberechnet</translation>
     </message>
     <message>
         <source>Interactive</source>
-        <translation type="unfinished"></translation>
+        <translation>Interaktiv</translation>
     </message>
     <message>
         <source>Final: finer, slower to update</source>
-        <translation type="unfinished"></translation>
+        <translation>Endfassung: feiner, langsamer</translation>
     </message>
     <message>
         <source>How finely light is precomputed. Another quality is precomputed in the background.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie fein das Licht vorberechnet wird. Eine andere Qualität wird im Hintergrund vorberechnet.</translation>
     </message>
     <message>
         <source>Last move of a luminaire</source>
-        <translation type="unfinished"></translation>
+        <translation>Letzte Bewegung einer Leuchte</translation>
     </message>
     <message>
         <source>Direct light</source>
-        <translation type="unfinished"></translation>
+        <translation>Direktes Licht</translation>
     </message>
     <message>
         <source>In closed form times visibility, at every point</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschlossene Form mal Sichtbarkeit, an jedem Punkt</translation>
     </message>
     <message>
         <source>First reflection</source>
-        <translation type="unfinished"></translation>
+        <translation>Erste Reflexion</translation>
     </message>
     <message>
         <source>From every point, by precomputed rays</source>
-        <translation type="unfinished"></translation>
+        <translation>Von jedem Punkt, über vorberechnete Strahlen</translation>
     </message>
     <message>
         <source>All further reflections</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle weiteren Reflexionen</translation>
     </message>
     <message>
         <source>Solved to a residual, not counted in bounces</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis auf ein Residuum gelöst, nicht in Reflexionen gezählt</translation>
     </message>
     <message>
         <source>Gathering them</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Sammlung</translation>
     </message>
     <message>
         <source>From patches to where light differs</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Flächenstücken dorthin, wo sich Licht unterscheidet</translation>
     </message>
     <message>
         <source>All points</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Punkte</translation>
     </message>
     <message>
         <source>Interpolated with precomputed weights</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit vorberechneten Gewichten interpoliert</translation>
     </message>
     <message>
         <source>Together</source>
-        <translation type="unfinished"></translation>
+        <translation>Zusammen</translation>
     </message>
     <message>
         <source>Light transport</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichttransport</translation>
     </message>
     <message>
         <source>Points</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte</translation>
     </message>
     <message>
         <source>Where light is computed and sent on</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo Licht berechnet und weitergegeben wird</translation>
     </message>
     <message>
         <source>Gather points</source>
-        <translation type="unfinished"></translation>
+        <translation>Sammelpunkte</translation>
     </message>
     <message>
         <source>Of these, where rays were traced for all the others</source>
-        <translation type="unfinished"></translation>
+        <translation>Davon: wo Strahlen für alle anderen verfolgt wurden</translation>
     </message>
     <message>
         <source>Memory</source>
-        <translation type="unfinished"></translation>
+        <translation>Speicher</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>Computed</source>
-        <translation type="unfinished"></translation>
+        <translation>Berechnet</translation>
     </message>
     <message>
         <source>Not needed here</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier nicht benötigt</translation>
     </message>
     <message>
         <source>Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>Qualität</translation>
     </message>
     <message>
-        <source>With the project&apos;s own %1</source>
-        <translation type="unfinished"></translation>
+        <source>With the project's own %1</source>
+        <translation>Mit eigenen Werten des Projekts: %1</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>%1 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 MB</translation>
     </message>
     <message>
         <source>coarse, being refined</source>
-        <translation type="unfinished"></translation>
+        <translation>grob, wird verfeinert</translation>
     </message>
     <message>
         <source>complete</source>
-        <translation type="unfinished"></translation>
+        <translation>vollständig</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::QuantityBox</name>
     <message>
         <source>mixed</source>
-        <translation type="unfinished"></translation>
+        <translation>gemischt</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::RecoveryDialog</name>
     <message>
         <source>Unsaved work was found</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gespeicherte Arbeit gefunden</translation>
     </message>
     <message>
         <source>Soffit did not end as it should. These versions were kept; the project files themselves are as you saved them last.</source>
-        <translation type="unfinished"></translation>
+        <translation>Soffit wurde nicht ordnungsgemäß beendet. Diese Fassungen wurden aufbewahrt; die Projektdateien selbst sind so, wie Sie sie zuletzt gespeichert haben.</translation>
     </message>
     <message>
         <source>Versions that were kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufbewahrte Fassungen</translation>
     </message>
     <message>
         <source>%1
 %2
 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+%2
+%3</translation>
     </message>
     <message>
         <source>Recover</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>Later</source>
-        <translation type="unfinished"></translation>
+        <translation>Später</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::RelightWorker</name>
     <message>
         <source>from the cache</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>computed in %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>aus dem Zwischenspeicher</translation>
     </message>
     <message>
         <source>Light transport %1: %2 points, %3 MB</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichttransport %1: %2 Punkte, %3 MB</translation>
+    </message>
+    <message>
+        <source>computed in %L1 s</source>
+        <translation>in %L1 s berechnet</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::ResultsModel</name>
     <message>
         <source>Base</source>
-        <translation type="unfinished"></translation>
+        <translation>Basis</translation>
     </message>
     <message numerus="yes">
         <source>%n luminaire(s) whose photometric file declares no power are left out</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Leuchte, deren Photometriedatei keine Leistung nennt, ist nicht enthalten</numerusform>
+            <numerusform>%n Leuchten, deren Photometriedateien keine Leistung nennen, sind nicht enthalten</numerusform>
         </translation>
     </message>
     <message>
         <source>Luminaires changed; the reading is under way</source>
-        <translation type="unfinished"></translation>
+        <translation>Leuchten wurden geändert; die Auswertung läuft</translation>
     </message>
     <message>
         <source>Layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Variante</translation>
     </message>
     <message>
         <source>Work plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Nutzebene</translation>
     </message>
     <message>
         <source>Ēm lx</source>
-        <translation type="unfinished"></translation>
+        <translation>Ēm lx</translation>
     </message>
     <message>
         <source>Emin lx</source>
-        <translation type="unfinished"></translation>
+        <translation>Emin lx</translation>
     </message>
     <message>
         <source>U₀</source>
-        <translation type="unfinished"></translation>
+        <translation>U₀</translation>
     </message>
     <message>
         <source>Emax lx</source>
-        <translation type="unfinished"></translation>
+        <translation>Emax lx</translation>
     </message>
     <message>
         <source>Φ lm</source>
-        <translation type="unfinished"></translation>
+        <translation>Φ lm</translation>
     </message>
     <message>
         <source>lm/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>lm/m²</translation>
     </message>
     <message>
         <source>P W</source>
-        <translation type="unfinished"></translation>
+        <translation>P W</translation>
     </message>
     <message>
         <source>W/m²</source>
-        <translation type="unfinished"></translation>
+        <translation>W/m²</translation>
     </message>
     <message>
         <source>The layout in the view is in bold</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Variante in der Ansicht ist fett</translation>
     </message>
     <message>
         <source>The grid of points that is read</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Raster der ausgewerteten Punkte</translation>
     </message>
     <message>
         <source>Mean illuminance (maintenance factor 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlere Beleuchtungsstärke (Wartungsfaktor 1)</translation>
     </message>
     <message>
         <source>Least illuminance of all points</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinste Beleuchtungsstärke aller Punkte</translation>
     </message>
     <message>
         <source>Uniformity: least over mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Gleichmäßigkeit: kleinste durch mittlere</translation>
     </message>
     <message>
         <source>Greatest illuminance of all points</source>
-        <translation type="unfinished"></translation>
+        <translation>Größte Beleuchtungsstärke aller Punkte</translation>
     </message>
     <message>
         <source>Luminous flux of what is on, as it is dimmed</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtstrom der eingeschalteten Leuchten, wie gedimmt</translation>
     </message>
     <message>
         <source>Luminous flux over the area of all work planes</source>
-        <translation type="unfinished"></translation>
+        <translation>Lichtstrom je Fläche aller Nutzebenen</translation>
     </message>
     <message>
         <source>Input power that the photometric files declare, times dimming</source>
-        <translation type="unfinished"></translation>
+        <translation>Anschlussleistung laut Photometriedateien, mal Dimmwert</translation>
     </message>
     <message>
         <source>Power over the area of all work planes</source>
-        <translation type="unfinished"></translation>
+        <translation>Leistung je Fläche aller Nutzebenen</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::ResultsPanel</name>
     <message>
         <source>Readings of the work planes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse der Nutzebenen</translation>
     </message>
     <message>
         <source>Two layouts compared</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Varianten im Vergleich</translation>
     </message>
     <message>
         <source>Differences</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenzen</translation>
     </message>
     <message>
         <source>The two layouts that are compared, and what differs</source>
-        <translation type="unfinished"></translation>
+        <translation>Die beiden verglichenen Varianten und ihre Unterschiede</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren</translation>
     </message>
     <message>
         <source>The table as text for a spreadsheet (Ctrl+C): the rows selected, or all</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tabelle als Text für eine Tabellenkalkulation (Strg+C): die ausgewählten Zeilen oder alle</translation>
     </message>
     <message>
         <source>Export CSV…</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV exportieren…</translation>
     </message>
     <message>
         <source>The figures of all layouts, as soffit compare writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahlen aller Varianten, wie „soffit compare“ sie schreibt</translation>
     </message>
     <message>
         <source>No readings yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Ergebnisse</translation>
     </message>
     <message>
         <source>The project has no work planes: flux and power alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Projekt hat keine Nutzebenen: nur Lichtstrom und Leistung</translation>
     </message>
     <message>
         <source>Preview: the light transport is still being computed</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau: Der Lichttransport wird noch berechnet</translation>
     </message>
     <message>
         <source>Work planes of %1 m² in all</source>
-        <translation type="unfinished"></translation>
+        <translation>Nutzebenen mit insgesamt %1 m²</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::ShapeFields</name>
     <message>
         <source>along x</source>
-        <translation type="unfinished"></translation>
+        <translation>entlang x</translation>
     </message>
     <message>
         <source>along y</source>
-        <translation type="unfinished"></translation>
+        <translation>entlang y</translation>
     </message>
     <message>
         <source>length</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge</translation>
     </message>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt</translation>
     </message>
     <message>
         <source>Rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechteck</translation>
     </message>
     <message>
         <source>Disk</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheibe</translation>
     </message>
     <message>
         <source>Sphere</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugel</translation>
     </message>
     <message>
         <source>Tube</source>
-        <translation type="unfinished"></translation>
+        <translation>Röhre</translation>
     </message>
     <message>
         <source>Shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Form</translation>
     </message>
     <message>
         <source>Polygon</source>
-        <translation type="unfinished"></translation>
+        <translation>Polygon</translation>
     </message>
     <message>
         <source>Mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Mesh</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::ShapeText</name>
     <message>
         <source>Point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt</translation>
     </message>
     <message>
         <source>Rectangle %1 × %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechteck %1 × %2</translation>
     </message>
     <message>
         <source>Disk ⌀ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Scheibe ⌀ %1</translation>
     </message>
     <message>
         <source>Sphere ⌀ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugel ⌀ %1</translation>
     </message>
     <message>
         <source>Tube %1, ⌀ %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Röhre %1, ⌀ %2</translation>
     </message>
     <message>
         <source>Polygon, %1 corners</source>
-        <translation type="unfinished"></translation>
+        <translation>Polygon, %1 Ecken</translation>
     </message>
     <message>
         <source>Mesh %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mesh %1</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::SizePreview</name>
     <message>
         <source>%1 wide, %2 deep, %3 high</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 breit, %2 tief, %3 hoch</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::StartPage</name>
     <message>
         <source>Recent projects</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt geöffnete Projekte</translation>
     </message>
     <message>
         <source>Projects that you open appear here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekte, die Sie öffnen, erscheinen hier.</translation>
     </message>
     <message>
         <source>Sample projects</source>
-        <translation type="unfinished"></translation>
+        <translation>Beispielprojekte</translation>
     </message>
     <message>
         <source>Open a project…</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekt öffnen…</translation>
     </message>
     <message>
         <source>Import a building…</source>
-        <translation type="unfinished"></translation>
+        <translation>Gebäude importieren…</translation>
     </message>
     <message>
         <source>A model as glTF, OBJ, IFC, FBX, Collada, 3DS, PLY or STL; it can also be dropped on this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Modell als glTF, OBJ, IFC, FBX, Collada, 3DS, PLY oder STL; es kann auch auf dieses Fenster gezogen werden</translation>
     </message>
     <message>
         <source>New project</source>
-        <translation type="unfinished"></translation>
+        <translation>Neues Projekt</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::StatusLine</name>
     <message>
         <source>Place under the cursor</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort unter dem Zeiger</translation>
     </message>
     <message>
         <source>Illuminance of the surface under the cursor, and its diffuse luminance</source>
-        <translation type="unfinished"></translation>
+        <translation>Beleuchtungsstärke der Fläche unter dem Zeiger und ihre diffuse Leuchtdichte</translation>
     </message>
     <message>
         <source>State of the light; milliseconds of its last update and of the last picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand des Lichts; Millisekunden der letzten Aktualisierung und des letzten Bildes</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>, %1 s left</source>
-        <translation type="unfinished"></translation>
+        <translation>, noch %1 s</translation>
     </message>
     <message>
         <source>%1 · light %2 ms · picture %3 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 · Licht %2 ms · Bild %3 ms</translation>
     </message>
     <message>
         <source>Preview</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau</translation>
     </message>
     <message>
         <source>Converged</source>
-        <translation type="unfinished"></translation>
+        <translation>Konvergiert</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::ViewBar</name>
+    <message>
+        <source>What this view shows</source>
+        <translation>Was diese Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>Place of the cut</source>
+        <translation>Lage des Schnitts</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Cut at %1</source>
+        <translation>Schnitt bei %1</translation>
+    </message>
+    <message>
+        <source>Where the building is cut open; Ctrl and the wheel move it, too</source>
+        <translation>Wo das Gebäude aufgeschnitten ist; Strg und das Rad verschieben es auch</translation>
     </message>
 </context>
 <context>
     <name>soffit::ui::ViewPanel</name>
     <message>
         <source>Exposure</source>
-        <translation type="unfinished"></translation>
+        <translation>Belichtung</translation>
     </message>
     <message>
         <source>Auto</source>
-        <translation type="unfinished"></translation>
+        <translation>Auto</translation>
     </message>
     <message>
         <source>Expose for what is seen now</source>
-        <translation type="unfinished"></translation>
+        <translation>Für das jetzt Sichtbare belichten</translation>
     </message>
     <message>
         <source>OpenColorIO view transform, the same in exported pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenColorIO-Ansichtstransformation, dieselbe wie in exportierten Bildern</translation>
     </message>
     <message>
         <source>False colours of illuminance</source>
-        <translation type="unfinished"></translation>
+        <translation>Falschfarben der Beleuchtungsstärke</translation>
     </message>
     <message>
         <source>Logarithmic</source>
-        <translation type="unfinished"></translation>
+        <translation>Logarithmisch</translation>
     </message>
     <message>
         <source>Saved cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeicherte Kameras</translation>
     </message>
     <message>
         <source>Save this view</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Ansicht speichern</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht</translation>
     </message>
     <message>
         <source>Cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameras</translation>
     </message>
     <message>
         <source>View transform</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichtstransformation</translation>
     </message>
 </context>
 </TS>

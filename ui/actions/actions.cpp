@@ -7,6 +7,7 @@ namespace {
 QAction* add(QMenu& menu, const ActionText& text) {
   QAction* action = menu.addAction(text.text);
   action->setShortcut(text.keys);
+  action->setObjectName(QString::fromLatin1(text.name));
   if (!text.hint.isEmpty()) {
     action->setToolTip(text.hint);
     action->setStatusTip(text.hint);
@@ -15,6 +16,11 @@ QAction* add(QMenu& menu, const ActionText& text) {
 }
 
 }  // namespace
+
+QMenu& named(QMenu* menu, const char* name) {
+  menu->setObjectName(QString::fromLatin1(name));
+  return *menu;
+}
 
 QAction* addEntry(QMenu& menu, const ActionText& text, QObject* context,
                   const std::function<void()>& run) {

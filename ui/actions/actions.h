@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QAction>
+#include <QByteArray>
 #include <QKeySequence>
 #include <QMenu>
 #include <QString>
@@ -15,7 +16,13 @@ struct ActionText {
   QString text;
   QKeySequence keys;
   QString hint;  ///< tool tip and status tip; may be empty
+  /// What kept keys know it by, the same in every language: its English text without marks. Empty:
+  /// an entry that keeps no keys, such as a recent file.
+  QByteArray name = {};
 };
+
+/// Gives a menu the name that stands before those of its entries.
+QMenu& named(QMenu* menu, const char* name);
 
 /// Adds an entry that calls `run`.
 QAction* addEntry(QMenu& menu, const ActionText& text, QObject* context,

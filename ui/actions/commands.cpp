@@ -15,15 +15,22 @@ QString plain(QString text) {
   return text;
 }
 
-void collect(const QList<QAction*>& actions, const QStringList& place, std::vector<Command>& out) {
+QString nameOf(const QObject& object, const QString& text) {
+  return object.objectName().isEmpty() ? text : object.objectName();
+}
+
+/// `before`: the menu's id with a slash.
+void collect(const QList<QAction*>& actions, const QString& before, const QStringList& place,
+             std::vector<Command>& out) {
   for (QAction* action : actions) {
     if (action->isSeparator() || action->text().isEmpty()) continue;
-    const QString name = plain(action->text());
+    const QString text = plain(action->text());
     if (const QMenu* menu = action->menu()) {
-      collect(menu->actions(), place + QStringList(name), out);
+      collect(menu->actions(), before + nameOf(*menu, text) + QLatin1Char('/'),
+              place + QStringList(text), out);
     } else {
-      out.push_back({(place + QStringList(name)).join(QLatin1Char('/')),
-                     place.join(QStringLiteral(" › ")), name, action});
+      out.push_back(
+          {before + nameOf(*action, text), place.join(QStringLiteral(" › ")), text, action});
     }
   }
 }
@@ -32,7 +39,7 @@ void collect(const QList<QAction*>& actions, const QStringList& place, std::vect
 
 std::vector<Command> commandsOf(const QMenuBar& menus) {
   std::vector<Command> out;
-  collect(menus.actions(), {}, out);
+  collect(menus.actions(), {}, {}, out);
   return out;
 }
 

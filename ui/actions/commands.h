@@ -12,14 +12,14 @@ namespace soffit::ui {
 
 /// An entry of the menus.
 struct Command {
-  QString id;                ///< its place and name without marks: "Edit/Snap to/Grid"
-  QString place;             ///< for people: "Edit › Snap to"
+  QString id;                ///< its place and name in every language: "Edit/Snap to/Grid of 0.1 m"
+  QString place;             ///< for people, in theirs: "Edit › Snap to"
   QString name;              ///< without the mark of its mnemonic and without "..."
   QPointer<QAction> action;  ///< null when the entry is gone: recent files come and go
 };
 
 /// All entries of a menu bar in the order in which they stand there; separators and menus
-/// themselves left out.
+/// themselves left out. Ids are the object names of menus and entries; of what has none, its text.
 std::vector<Command> commandsOf(const QMenuBar& menus);
 
 /// Those that may be run now and hold all words of `text` (in any order and case), the ones whose

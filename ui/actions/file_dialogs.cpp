@@ -22,7 +22,7 @@ namespace soffit::ui {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("Files", text);
+  return QCoreApplication::translate("soffit::ui", text);
 }
 
 /// Written on another thread; the window goes on painting, but takes no input meanwhile.

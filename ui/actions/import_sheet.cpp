@@ -2,6 +2,7 @@
 #include "ui/actions/import_sheet.h"
 
 #include "ui/document/text.h"
+#include "ui/widgets/quantity.h"
 #include "ui/widgets/size_preview.h"
 
 #include <QComboBox>
@@ -159,7 +160,11 @@ void ImportSheet::showSize() {
     io::ModelSize size = *known->second;
     size.size_m *= unit();
     preview_->setSize(size.size_m);
-    QString text = toQt(io::describeModel(size));
+    QString text = tr("%L1 triangles, %L2 materials, %3 \u00d7 %4 m in plan, %5 m high")
+                       .arg(size.triangles)
+                       .arg(size.materials)
+                       .arg(formatNumber(size.size_m.x, 2), formatNumber(size.size_m.y, 2),
+                            formatNumber(size.size_m.z, 2));
     const double longest = std::max({size.size_m.x, size.size_m.y, size.size_m.z});
     if (longest < kLeast || longest > kMost) {
       text += QLatin1Char('\n') + tr("Unusual for a building: is the unit right?");

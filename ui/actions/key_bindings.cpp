@@ -43,6 +43,12 @@ const std::vector<std::pair<QString, Pairs>>& table() {
   return presets;
 }
 
+/// Commands that had another name when keys were kept for them.
+QString presentName(const QString& kept) {
+  if (kept == QLatin1String("View/Plan from above")) return QStringLiteral("View/Look from/Plan");
+  return kept;
+}
+
 const Pairs& pairsOf(const QString& preset) {
   for (const auto& [name, pairs] : table()) {
     if (name == preset) return pairs;
@@ -60,7 +66,8 @@ KeyBindings::KeyBindings(const QMenuBar& menus, QObject* parent)
   if (!presets().contains(preset_)) preset_ = presets().front();
   const QMap<QString, QVariant> kept = settings.value(kChanged).toMap();
   for (auto it = kept.begin(); it != kept.end(); ++it) {
-    changed_[it.key()] = QKeySequence(it.value().toString(), QKeySequence::PortableText);
+    changed_[presentName(it.key())] =
+        QKeySequence(it.value().toString(), QKeySequence::PortableText);
   }
   apply();
 }

@@ -17,7 +17,7 @@ constexpr double kCopyOffset = 0.5;  // m
 constexpr double kSamePlace = 1e-3;  // m
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("LuminaireActions", text);
+  return QCoreApplication::translate("soffit::ui", text);
 }
 
 std::vector<light::Luminaire> selected(const Document& document) {

@@ -36,9 +36,10 @@ RecoveryDialog::RecoveryDialog(const QList<Recovery>& recoveries, QWidget* paren
     QIcon icon(picture);
     icon.addPixmap(picture, QIcon::Selected);  // not tinted
     list_->addItem(new QListWidgetItem(
-        icon, tr("%1\n%2\n%3")
-                  .arg(recovery.name, QLocale().toString(recovery.saved, QLocale::ShortFormat),
-                       QDir::toNativeSeparators(recovery.path))));
+        icon,
+        tr("%1\n%2\n%3")
+            .arg(recovery.name, QLocale::system().toString(recovery.saved, QLocale::ShortFormat),
+                 QDir::toNativeSeparators(recovery.path))));
   }
   list_->setCurrentRow(0);
   auto* buttons = new QDialogButtonBox;

@@ -16,7 +16,7 @@ namespace soffit::ui {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("Results", text);
+  return QCoreApplication::translate("soffit::ui", text);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace soffit::ui {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("CameraEdits", text);
+  return QCoreApplication::translate("soffit::ui", text);
 }
 
 std::vector<scene::Camera>::iterator find(scene::Scene& scene, const std::string& name) {

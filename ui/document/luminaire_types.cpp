@@ -18,16 +18,17 @@ constexpr double kUnknownRadius = 0.04;    // m, of a file without an opening
 constexpr double kMeshLuminance = 3000.0;  // cd/m^2 of a mesh that was just made luminous
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("LuminaireTypes", text);
+  return QCoreApplication::translate("soffit::ui", text);
 }
 
 QString flux(double lm) {
   return QStringLiteral("%1 lm").arg(std::lround(lm));
 }
 
-LuminaireType plain(const QString& name, const QString& about, light::Shape shape, double lm,
-                    double cct_k) {
+LuminaireType plain(const char* id, const QString& name, const QString& about, light::Shape shape,
+                    double lm, double cct_k) {
   LuminaireType type;
+  type.id = id;
   type.name = name;
   type.about = flux(lm) + QStringLiteral(" \u00b7 ") + about;
   type.prototype.name = toStd(name);
@@ -59,7 +60,7 @@ LuminaireType ring() {
   constexpr float kInner = 0.40F;
   auto mesh = std::make_shared<const geometry::Mesh>(ringMesh(kOuter, kInner, 48));
   LuminaireType type =
-      plain(tr("Ring"), tr("\u2300 0.9 m, suspended"), light::PointShape{}, 4200.0, 3500.0);
+      plain("Ring", tr("Ring"), tr("\u2300 0.9 m, suspended"), light::PointShape{}, 4200.0, 3500.0);
   type.prototype.shape = light::MeshShape{"ring_light.obj", 1.0, 'z', mesh};
   type.mesh = {"ring_light.obj", objText(*mesh)};
   return hung(std::move(type), 0.8);
@@ -76,31 +77,36 @@ double roundTwo(double v) {
 
 std::vector<LuminaireType> builtInTypes() {
   std::vector<LuminaireType> all;
-  all.push_back(plain(tr("Panel"), tr("0.6 \u00d7 0.6 m"), light::Rectangle{0.6, 0.6}, 3600, 4000));
   all.push_back(
-      plain(tr("Panel long"), tr("1.2 \u00d7 0.3 m"), light::Rectangle{1.2, 0.3}, 3600, 4000));
-  all.push_back(
-      plain(tr("Linear"), tr("1.5 m, on the ceiling"), light::Rectangle{1.5, 0.06}, 3000, 4000));
+      plain("Panel", tr("Panel"), tr("0.6 \u00d7 0.6 m"), light::Rectangle{0.6, 0.6}, 3600, 4000));
+  all.push_back(plain("Panel long", tr("Panel long"), tr("1.2 \u00d7 0.3 m"),
+                      light::Rectangle{1.2, 0.3}, 3600, 4000));
+  all.push_back(plain("Linear", tr("Linear"), tr("1.5 m, on the ceiling"),
+                      light::Rectangle{1.5, 0.06}, 3000, 4000));
+  all.push_back(hung(plain("Linear suspended", tr("Linear suspended"), tr("1.5 m, suspended"),
+                           light::Tube{1.5, 0.025}, 4200, 4000),
+                     0.7));
   all.push_back(hung(
-      plain(tr("Linear suspended"), tr("1.5 m, suspended"), light::Tube{1.5, 0.025}, 4200, 4000),
-      0.7));
+      plain("Pendant", tr("Pendant"), tr("\u2300 0.4 m, suspended"), light::Disk{0.2}, 1800, 3000),
+      1.0));
   all.push_back(
-      hung(plain(tr("Pendant"), tr("\u2300 0.4 m, suspended"), light::Disk{0.2}, 1800, 3000), 1.0));
-  all.push_back(measured(plain(tr("Downlight"), tr("70\u00b0"), light::Disk{0.06}, 1500, 3500),
-                         syntheticSpot("Downlight 70", 70.0, 1500.0), "downlight_70.ies"));
-  all.push_back(measured(plain(tr("Spot"), tr("24\u00b0"), light::Disk{0.04}, 900, 3000),
+      measured(plain("Downlight", tr("Downlight"), tr("70\u00b0"), light::Disk{0.06}, 1500, 3500),
+               syntheticSpot("Downlight 70", 70.0, 1500.0), "downlight_70.ies"));
+  all.push_back(measured(plain("Spot", tr("Spot"), tr("24\u00b0"), light::Disk{0.04}, 900, 3000),
                          syntheticSpot("Spot 24", 24.0, 900.0), "spot_24.ies"));
+  all.push_back(hung(measured(plain("Track spot", tr("Track spot"), tr("36\u00b0, on a track"),
+                                    light::Disk{0.04}, 1100, 3000),
+                              syntheticSpot("Track spot 36", 36.0, 1100.0), "track_spot_36.ies"),
+                     0.16));
+  all.push_back(measured(
+      plain("Wall washer", tr("Wall washer"), tr("lights one side"), light::Disk{0.06}, 1600, 3500),
+      syntheticWallWasher("Wall washer", 1600.0), "wall_washer.ies"));
   all.push_back(hung(
-      measured(plain(tr("Track spot"), tr("36\u00b0, on a track"), light::Disk{0.04}, 1100, 3000),
-               syntheticSpot("Track spot 36", 36.0, 1100.0), "track_spot_36.ies"),
-      0.16));
-  all.push_back(
-      measured(plain(tr("Wall washer"), tr("lights one side"), light::Disk{0.06}, 1600, 3500),
-               syntheticWallWasher("Wall washer", 1600.0), "wall_washer.ies"));
-  all.push_back(hung(
-      plain(tr("Sphere"), tr("\u2300 0.3 m, suspended"), light::Sphere{0.15}, 1400, 2700), 0.8));
+      plain("Sphere", tr("Sphere"), tr("\u2300 0.3 m, suspended"), light::Sphere{0.15}, 1400, 2700),
+      0.8));
   all.push_back(ring());
-  all.push_back(plain(tr("Custom"), tr("see Properties"), light::Rectangle{0.4, 0.4}, 2000, 4000));
+  all.push_back(
+      plain("Custom", tr("Custom"), tr("see Properties"), light::Rectangle{0.4, 0.4}, 2000, 4000));
   return all;
 }
 

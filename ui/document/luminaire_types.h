@@ -4,6 +4,7 @@
 #include "core/io/photometry/photometric_file.h"
 #include "core/light/luminaire.h"
 
+#include <QByteArray>
 #include <QString>
 
 #include <string>
@@ -35,6 +36,7 @@ struct LuminaireType {
   double drop = 0.0;  ///< m
   TypeFile photometry;
   TypeFile mesh;
+  QByteArray id = {};  ///< of a built-in kind, the same in every language; else empty
 };
 
 /// Kinds that need no files of the user: panel, linear, pendant, downlight, spot, wall washer,

@@ -16,7 +16,7 @@ namespace {
 enum MergeKey { kLevelWay = 101, kColourWay };
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("Mixing", text);
+  return QCoreApplication::translate("soffit::ui", text);
 }
 
 QString shown(const QString& group) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ui/jobs/progress_relay.h"
 
+#include "ui/document/core_words.h"
+
 namespace soffit::ui {
 namespace {
 
@@ -19,7 +21,7 @@ void ProgressRelay::onProgress(std::string_view stage, double done) {
     stage_ = stage;
     since_.restart();
   }
-  Q_EMIT progressed(QString::fromUtf8(stage.data(), static_cast<qsizetype>(stage.size())), done);
+  Q_EMIT progressed(coreWords(stage), done);
 }
 
 }  // namespace soffit::ui

@@ -105,7 +105,7 @@ void RelightWorker::onSolver(Result<SolverBake::Outcome> outcome) {
   const relight::EngineReport& report = outcome->report;
   const auto texels = outcome->solver->operators().texels.texelCount();
   const QString how = report.cached ? tr("from the cache")
-                                    : tr("computed in %1 s").arg(report.bake.seconds, 0, 'f', 1);
+                                    : tr("computed in %L1 s").arg(report.bake.seconds, 0, 'f', 1);
   for (const std::string& message : report.messages) Q_EMIT failed(toQt(message));
   Q_EMIT bakeFinished(tr("Light transport %1: %2 points, %3 MB")
                           .arg(how)

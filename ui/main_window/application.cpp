@@ -2,6 +2,7 @@
 #include "ui/main_window/application.h"
 
 #include "ui/main_window/main_window.h"
+#include "ui/widgets/language.h"
 #include "ui/widgets/theme.h"
 
 #include <QApplication>
@@ -24,6 +25,7 @@ int runApplication(int argc, char** argv, const char* version) {
   QApplication::setApplicationName(QStringLiteral("soffit"));
   QApplication::setApplicationDisplayName(QString());
   QApplication::setApplicationVersion(QString::fromLatin1(version));
+  applyLanguage(savedLanguage());
   QCommandLineParser parser;
   parser.setApplicationDescription(QApplication::translate(
       "Application", "Interactive, converged light for indoor architecture"));

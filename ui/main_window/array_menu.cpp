@@ -34,11 +34,13 @@ void MainWindow::startArray(ArrayKind kind) {
 }
 
 void MainWindow::addArrayEntries(QMenu& menu) {
-  const std::pair<QString, ArrayKind> kinds[] = {{tr("&Line"), ArrayKind::line_x},
-                                                 {tr("&Rectangle"), ArrayKind::rectangle},
-                                                 {tr("&Circle"), ArrayKind::circle}};
-  for (const auto& [text, kind] : kinds) {
-    forProject(addEntry(menu, {text, {}, {}}, this, [this, kind = kind] { startArray(kind); }));
+  const std::tuple<QString, const char*, ArrayKind> kinds[] = {
+      {tr("&Line"), "Line", ArrayKind::line_x},
+      {tr("&Rectangle"), "Rectangle", ArrayKind::rectangle},
+      {tr("&Circle"), "Circle", ArrayKind::circle}};
+  for (const auto& [text, name, kind] : kinds) {
+    forProject(
+        addEntry(menu, {text, {}, {}, name}, this, [this, kind = kind] { startArray(kind); }));
   }
 }
 

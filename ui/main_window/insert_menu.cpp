@@ -51,28 +51,38 @@ void MainWindow::placeFromMesh() {
 }
 
 void MainWindow::makeInsertMenu() {
-  QMenu& menu = *menuBar()->addMenu(tr("&Insert"));
+  QMenu& menu = named(menuBar()->addMenu(tr("&Insert")), "Insert");
   for (const LuminaireType& type : builtInTypes()) {
-    forProject(addEntry(menu, {type.name, {}, type.about}, this, [this, type] { place(type); }));
+    forProject(
+        addEntry(menu, {type.name, {}, type.about, type.id}, this, [this, type] { place(type); }));
   }
   connect(workspace_.library, &LibraryPanel::chosen, this, &MainWindow::place);
   menu.addSeparator();
-  forProject(addEntry(menu, {tr("From a &photometric file\u2026"), {}, {}}, this,
-                      [this] { placeFromPhotometry(); }));
-  forProject(addEntry(menu, {tr("From a &mesh file\u2026"), {}, tr("OBJ and other models")}, this,
-                      [this] { placeFromMesh(); }));
-  const auto addTool = [&](const QString& text, const QString& hint, const auto& make) {
-    forProject(addEntry(menu, {text, {}, hint}, this, [this, make] {
+  forProject(addEntry(menu,
+                      {tr("From a &photometric file\u2026"), {}, {}, "From a photometric file"},
+                      this, [this] { placeFromPhotometry(); }));
+  forProject(addEntry(
+      menu, {tr("From a &mesh file\u2026"), {}, tr("OBJ and other models"), "From a mesh file"},
+      this, [this] { placeFromMesh(); }));
+  const auto addTool = [&](const ActionText& text, const auto& make) {
+    forProject(addEntry(menu, text, this, [this, make] {
       workspace_.area->grid().endTools();
       workspace_.area->active().input().setTool(make());
     }));
   };
-  addTool(tr("Make &luminous"), tr("Click a part of the building that is to give light"), [this] {
-    return std::make_unique<MakingLuminous>(session_->document(), workspace_.area->active().view());
-  });
-  addTool(tr("&Draw a luminaire"), tr("Corner by corner, on the ceiling"), [this] {
-    return std::make_unique<DrawingPolygon>(session_->document(), workspace_.area->active().view());
-  });
+  addTool({tr("Make &luminous"),
+           {},
+           tr("Click a part of the building that is to give light"),
+           "Make luminous"},
+          [this] {
+            return std::make_unique<MakingLuminous>(session_->document(),
+                                                    workspace_.area->active().view());
+          });
+  addTool({tr("&Draw a luminaire"), {}, tr("Corner by corner, on the ceiling"), "Draw a luminaire"},
+          [this] {
+            return std::make_unique<DrawingPolygon>(session_->document(),
+                                                    workspace_.area->active().view());
+          });
 }
 
 }  // namespace soffit::ui

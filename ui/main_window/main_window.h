@@ -51,6 +51,8 @@ class MainWindow : public QMainWindow {
   void addCameraEntries(QMenu& menu);
   void addStandardViews(QMenu& menu);
   void addArrangements(QMenu& menu);
+  void addThemes(QMenu& menu);
+  void addLanguages(QMenu& menu);
   void makeInsertMenu();
   void place(const LuminaireType& type);
   void placeFromPhotometry();
@@ -61,11 +63,11 @@ class MainWindow : public QMainWindow {
   void startArray(ArrayKind kind);
   void addArrayEntries(QMenu& menu);
   void makeOtherMenus();
+  void makeHelpMenu();
   void finishOpening();
   void showWorkspace(bool shown);
   void updateTitle();
   bool closeProject();
-  void showAbout();
   /// A menu entry that is there only while a project is open.
   void forProject(QAction* action);
 

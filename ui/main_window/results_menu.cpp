@@ -9,18 +9,22 @@
 namespace soffit::ui {
 
 void MainWindow::makeResultsMenu() {
-  QMenu& menu = *menuBar()->addMenu(tr("&Results"));
-  forProject(addEntry(menu, {tr("Show the &table"), QKeySequence(tr("Ctrl+R")), {}}, this, [this] {
-    auto* dock = findChild<QDockWidget*>(QStringLiteral("results"));
-    dock->show();
-    dock->raise();
-  }));
-  forProject(addEntry(menu, {tr("&Copy the table"), {}, tr("As text for a spreadsheet")}, this,
-                      [this] { workspace_.results->copy(); }));
+  QMenu& menu = named(menuBar()->addMenu(tr("&Results")), "Results");
+  forProject(addEntry(menu,
+                      {tr("Show the &table"), QKeySequence(tr("Ctrl+R")), {}, "Show the table"},
+                      this, [this] {
+                        auto* dock = findChild<QDockWidget*>(QStringLiteral("results"));
+                        dock->show();
+                        dock->raise();
+                      }));
+  forProject(
+      addEntry(menu, {tr("&Copy the table"), {}, tr("As text for a spreadsheet"), "Copy the table"},
+               this, [this] { workspace_.results->copy(); }));
   forProject(addEntry(menu,
                       {tr("&Export the table\u2026"),
                        {},
-                       tr("The figures of all layouts as comma-separated values")},
+                       tr("The figures of all layouts as comma-separated values"),
+                       "Export the table"},
                       this, [this] { session_->exportResults(); }));
 }
 

@@ -12,13 +12,16 @@ namespace soffit::ui {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("Workspace", text);
+  return QCoreApplication::translate("soffit::ui", text);
 }
 
 QDockWidget* dock(QMainWindow& window, Workspace& workspace, Qt::DockWidgetArea area,
                   const QString& title, const char* name, QWidget* panel) {
   auto* dock = new QDockWidget(title, &window);
   dock->setObjectName(QString::fromLatin1(name));
+  QString command = QString::fromLatin1(name).replace(QLatin1Char('_'), QLatin1Char(' '));
+  command[0] = command[0].toUpper();
+  dock->toggleViewAction()->setObjectName(command);
   dock->setWidget(panel);
   window.addDockWidget(area, dock);
   workspace.docks.push_back(dock);
@@ -66,6 +69,7 @@ Workspace makeWorkspace(QMainWindow& window) {
       dock(window, w, Qt::RightDockWidgetArea, tr("Cameras"), "cameras", w.cameras);
   QDockWidget* mixer =
       dock(window, w, Qt::RightDockWidgetArea, tr("Light mixer"), "mixer", scrolled(w.mixer));
+  mixer->toggleViewAction()->setObjectName(QStringLiteral("Light mixer"));  // as keys were kept
   QDockWidget* quality =
       dock(window, w, Qt::RightDockWidgetArea, tr("Quality"), "quality", scrolled(w.quality));
   QDockWidget* materials =

@@ -2,6 +2,7 @@
 #include "ui/panels/difference_model.h"
 
 #include "ui/document/text.h"
+#include "ui/widgets/quantity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,8 @@ const LayoutReading* find(const Readings& readings, const QString& layout) {
 
 /// With its sign; what rounds to nothing has none.
 QString difference(double value, int decimals) {
-  const QString text = QString::number(std::abs(value), 'f', decimals);
-  if (text.toDouble() == 0.0) return text;
+  const QString text = formatNumber(std::abs(value), decimals);
+  if (text == formatNumber(0.0, decimals)) return text;
   return (value > 0.0 ? QStringLiteral("+") : QStringLiteral("\u2212")) + text;
 }
 
@@ -94,9 +95,9 @@ QVariant DifferenceModel::data(const QModelIndex& index, int role) const {
     case kQuantity:
       return row.quantity;
     case kFirst:
-      return QString::number(row.first, 'f', row.decimals);
+      return formatNumber(row.first, row.decimals);
     case kSecond:
-      return QString::number(row.second, 'f', row.decimals);
+      return formatNumber(row.second, row.decimals);
     case kDifference:
       return difference(row.second - row.first, row.decimals);
     default:

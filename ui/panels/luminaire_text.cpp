@@ -14,7 +14,7 @@ namespace soffit::ui {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("Luminaire", text);
+  return QCoreApplication::translate("soffit::ui", text);
 }
 
 QString metres(double value) {
@@ -22,9 +22,12 @@ QString metres(double value) {
 }
 
 struct ShapeText {
+  Q_DECLARE_TR_FUNCTIONS(soffit::ui::ShapeText)
+
+ public:
   QString operator()(const light::PointShape&) const { return tr("Point"); }
   QString operator()(const light::Rectangle& r) const {
-    return tr("Rectangle %1 \u00d7 %2").arg(QString::number(r.width, 'g', 4), metres(r.height));
+    return tr("Rectangle %1 \u00d7 %2").arg(formatNumber(r.width, 4, 'g'), metres(r.height));
   }
   QString operator()(const light::Disk& d) const {
     return tr("Disk \u2300 %1").arg(metres(2.0 * d.radius));

@@ -2,6 +2,7 @@
 #include "ui/panels/quality_panel.h"
 
 #include "core/scene/demand.h"
+#include "ui/document/core_words.h"
 #include "ui/document/text.h"
 
 #include <QComboBox>
@@ -21,7 +22,7 @@ constexpr std::array kPresets{"draft", "interactive", "final"};
 constexpr std::size_t kStages = 5;
 
 QString sentence(const std::string& text) {
-  QString out = toQt(text);
+  QString out = coreWords(text);
   if (!out.isEmpty()) out[0] = out[0].toUpper();
   return out;
 }
@@ -123,8 +124,8 @@ void QualityPanel::showProject() {
     item->setFirstColumnSpanned(true);
   }
   for (const scene::Demand::Skip& skip : demand.skipped) {
-    auto* item = new QTreeWidgetItem(
-        skipped_, QStringList(QStringLiteral("%1: %2").arg(sentence(skip.what), toQt(skip.why))));
+    auto* item = new QTreeWidgetItem(skipped_, QStringList(QStringLiteral("%1: %2").arg(
+                                                   sentence(skip.what), coreWords(skip.why))));
     item->setToolTip(0, item->text(0));
     item->setFirstColumnSpanned(true);
   }

@@ -2,6 +2,7 @@
 #include "ui/panels/results_model.h"
 
 #include "ui/document/text.h"
+#include "ui/widgets/quantity.h"
 
 #include <QApplication>
 #include <QFont>
@@ -16,7 +17,7 @@ namespace {
 const QString kNone = QStringLiteral("\u2013");
 
 QString lux(double value) {
-  return QString::number(value, 'f', value < 100.0 ? 1 : 0);
+  return formatNumber(value, value < 100.0 ? 1 : 0);
 }
 
 }  // namespace
@@ -62,12 +63,11 @@ QString ResultsModel::fluxTextOf(const LayoutReading& reading, int column) const
     case kFlux:
       return QString::number(std::lround(reading.figures.emitted_lm));
     case kFluxDensity:
-      return area > 0.0 ? QString::number(reading.figures.lm_per_m2, 'f', 0) : kNone;
+      return area > 0.0 ? formatNumber(reading.figures.lm_per_m2, 0) : kNone;
     case kPower:
-      return power_known ? about + QString::number(reading.watts, 'f', 0) : kNone;
+      return power_known ? about + formatNumber(reading.watts, 0) : kNone;
     default:
-      return power_known && area > 0.0 ? about + QString::number(reading.watts / area, 'f', 1)
-                                       : kNone;
+      return power_known && area > 0.0 ? about + formatNumber(reading.watts / area, 1) : kNone;
   }
 }
 
@@ -87,7 +87,7 @@ QString ResultsModel::textOf(const Row& row, int column) const {
     case kMin:
       return lux(plane.lux.min);
     case kU0:
-      return QString::number(plane.lux.u0, 'f', 2);
+      return formatNumber(plane.lux.u0, 2);
     default:
       return lux(plane.lux.max);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/panels/results_panel.h"
 
+#include "ui/widgets/quantity.h"
 #include "ui/widgets/table_text.h"
 
 #include <QClipboard>
@@ -117,9 +118,10 @@ void ResultsPanel::showState() {
   } else if (readings->area_m2 <= 0.0) {
     state_->setText(tr("The project has no work planes: flux and power alone"));
   } else {
-    state_->setText(readings->coarse ? tr("Preview: the light transport is still being computed")
-                                     : tr("Work planes of %1 m\u00b2 in all")
-                                           .arg(QString::number(readings->area_m2, 'f', 1)));
+    state_->setText(
+        readings->coarse
+            ? tr("Preview: the light transport is still being computed")
+            : tr("Work planes of %1 m\u00b2 in all").arg(formatNumber(readings->area_m2, 1)));
   }
 }
 

@@ -2,6 +2,7 @@
 #include "ui/panels/status_line.h"
 
 #include "ui/document/text.h"
+#include "ui/widgets/quantity.h"
 
 #include <QLabel>
 #include <QProgressBar>
@@ -17,7 +18,7 @@ constexpr qint64 kBeforeGuessMs = 1500;
 
 QString significant(double value) {
   if (value >= 100.0) return QString::number(std::lround(value));
-  return QString::number(value, 'g', 3);
+  return formatNumber(value, 3, 'g');
 }
 
 }  // namespace
@@ -100,8 +101,8 @@ void StatusLine::showReading(const std::optional<SurfaceReading>& reading) {
     return;
   }
   const dvec3& p = reading->position;
-  place_->setText(
-      QStringLiteral("%1  %2  %3 m").arg(p.x, 0, 'f', 2).arg(p.y, 0, 'f', 2).arg(p.z, 0, 'f', 2));
+  place_->setText(QStringLiteral("%1  %2  %3 m")
+                      .arg(formatNumber(p.x, 2), formatNumber(p.y, 2), formatNumber(p.z, 2)));
   light_->setText(QStringLiteral("%1 lx   %2 cd/m\u00b2")
                       .arg(significant(reading->lux), significant(reading->luminance)));
 }

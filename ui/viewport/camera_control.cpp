@@ -168,7 +168,7 @@ void CameraControl::step() {
 }
 
 void CameraControl::showHint() {
-  Q_EMIT hintChanged(tr("Walking at %1 m/s: W A S D, Q down, E up, Shift faster, wheel: speed")
+  Q_EMIT hintChanged(tr("Walking at %L1 m/s: W A S D, Q down, E up, Shift faster, wheel: speed")
                          .arg(walking_.speed(), 0, 'f', 1));
 }
 

@@ -4,7 +4,7 @@
 #include "ui/document/luminaire_pose.h"
 #include "ui/widgets/quantity.h"
 
-#include <QCoreApplication>
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +21,6 @@ constexpr double kFactorNotch = 0.1;
 
 double rounded(double v, double step) {
   return std::round(v / step) / std::round(1.0 / step);
-}
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("LuminaireDrag", text);
 }
 
 QString axisName(int axis) {
@@ -230,7 +226,7 @@ DragReadout LuminaireDrag::readout() const {
   } else {
     const bool understood = typedValue().has_value();
     out.text = (isAxis(part_) ? axisName(axis) + QLatin1Char(' ') : QString()) + typed_ +
-               (understood ? QStringLiteral("_") : tr("_ ?"));
+               (understood ? QStringLiteral("_") : QStringLiteral("_ ?"));
   }
   return out;
 }

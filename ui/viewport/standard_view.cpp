@@ -30,7 +30,7 @@ bool isSection(StandardView view) {
 }
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("StandardView", text);
+  return QCoreApplication::translate("soffit::ui", text);
 }
 
 }  // namespace

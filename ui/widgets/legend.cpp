@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/widgets/legend.h"
 
+#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -57,7 +58,9 @@ void Legend::paintEvent(QPaintEvent*) {
     painter.drawLine(QPointF(bar.right() + 1, y), QPointF(bar.right() + 5, y));
     const double base = std::clamp(y + 0.5 * fontMetrics().ascent() - 1, bar.top() + 0.4 * line,
                                    bar.bottom() + 0.3 * line);
-    painter.drawText(QPointF(bar.right() + 9, base), QString::fromStdString(tick.label));
+    QString label = QString::fromStdString(tick.label);
+    label.replace(QLatin1Char('.'), QLocale().decimalPoint());
+    painter.drawText(QPointF(bar.right() + 9, base), label);
   }
 }
 

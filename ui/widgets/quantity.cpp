@@ -98,12 +98,19 @@ std::optional<double> parseQuantity(QStringView text, Dimension dimension) {
   return terms > 0 ? std::optional(sum) : std::nullopt;
 }
 
+QString formatNumber(double value, int precision, char format) {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale.toString(value, format, precision);
+}
+
 QString formatQuantity(double value, Dimension dimension, int decimals) {
   const double shown = dimension == Dimension::share ? 100.0 * value : value;
-  QString number = QString::number(shown, 'f', decimals);
-  if (number.contains(QLatin1Char('.'))) {
+  QString number = formatNumber(shown, decimals);
+  const QString mark = QLocale().decimalPoint();
+  if (number.contains(mark)) {
     while (number.endsWith(QLatin1Char('0'))) number.chop(1);
-    if (number.endsWith(QLatin1Char('.'))) number.chop(1);
+    if (number.endsWith(mark)) number.chop(mark.size());
   }
   if (number == QLatin1String("-0")) number = QStringLiteral("0");
   const QString gap = dimension == Dimension::angle ? QString() : QStringLiteral("\u00a0");

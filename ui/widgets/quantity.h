@@ -23,10 +23,15 @@ enum class Dimension {
 /// "m", "°", "lm", "K", "%", "lx", "EV".
 QString unitOf(Dimension dimension);
 
-/// The value of a text: `1200`, `1200 lm`, `1.2 klm`, `3,2 m`, `320cm`, `10' 6"`, `40 deg`,
-/// `0.7 rad`, `50 %`, `46.5 fc`. A bare number is in the dimension's shown unit. Nothing for
-/// what cannot be read, has another dimension's unit, or is not finite.
+/// The value of a text, with point or comma in every language: `1200`, `1200 lm`, `1.2 klm`, `3,2
+/// m`, `320cm`, `10' 6"`, `40 deg`, `0.7 rad`, `50 %`, `46.5 fc`. A bare number is in the
+/// dimension's shown unit. Nothing for what cannot be read, has another dimension's unit, or is not
+/// finite.
 std::optional<double> parseQuantity(QStringView text, Dimension dimension);
+
+/// A bare number, written as printf's 'f' or 'g' does but with the decimal mark of the window's
+/// language and without marks between thousands.
+QString formatNumber(double value, int precision, char format = 'f');
 
 /// Shown: at most `decimals` places, no trailing zeros, with the unit.
 QString formatQuantity(double value, Dimension dimension, int decimals);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ui/widgets/size_preview.h"
 
+#include "ui/widgets/quantity.h"
+
 #include <QPainter>
 #include <QPainterPath>
 
@@ -15,7 +17,7 @@ constexpr double kDepthShare = 0.35;  ///< of a length in the picture's depth, d
 
 QString metres(double length) {
   const int decimals = length < 0.1 ? 4 : length < 100.0 ? 2 : 0;
-  return QString::number(length, 'f', decimals) + QStringLiteral("\u00a0m");
+  return formatNumber(length, decimals) + QStringLiteral("\u00a0m");
 }
 
 /// A person standing at (0, 0), one unit tall, y up.
