@@ -2063,7 +2063,7 @@
     </message>
     <message>
         <source>&amp;Look from</source>
-        <translation>An&amp;sicht von</translation>
+        <translation>Blick&amp;richtung</translation>
     </message>
     <message>
         <source>Pre&amp;vious place</source>
@@ -2095,7 +2095,7 @@
     </message>
     <message>
         <source>Alt+1</source>
-        <translation type="unfinished" />
+        <translation>Alt+1</translation>
     </message>
     <message>
         <source>As the eye sees; as it was left</source>
@@ -2115,7 +2115,7 @@
     </message>
     <message>
         <source>Alt+2</source>
-        <translation type="unfinished" />
+        <translation>Alt+2</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -2123,7 +2123,7 @@
     </message>
     <message>
         <source>Alt+3</source>
-        <translation type="unfinished" />
+        <translation>Alt+3</translation>
     </message>
     <message>
         <source>L&amp;eft side</source>
@@ -2131,7 +2131,7 @@
     </message>
     <message>
         <source>Alt+4</source>
-        <translation type="unfinished" />
+        <translation>Alt+4</translation>
     </message>
     <message>
         <source>&amp;Right side</source>
@@ -2139,7 +2139,7 @@
     </message>
     <message>
         <source>Alt+5</source>
-        <translation type="unfinished" />
+        <translation>Alt+5</translation>
     </message>
     <message>
         <source>&amp;Section from the front</source>
@@ -2147,7 +2147,7 @@
     </message>
     <message>
         <source>Alt+6</source>
-        <translation type="unfinished" />
+        <translation>Alt+6</translation>
     </message>
     <message>
         <source>Section from the b&amp;ack</source>
@@ -2155,7 +2155,7 @@
     </message>
     <message>
         <source>Alt+7</source>
-        <translation type="unfinished" />
+        <translation>Alt+7</translation>
     </message>
     <message>
         <source>Section from the lef&amp;t</source>
@@ -2163,7 +2163,7 @@
     </message>
     <message>
         <source>Alt+8</source>
-        <translation type="unfinished" />
+        <translation>Alt+8</translation>
     </message>
     <message>
         <source>Section from the ri&amp;ght</source>
@@ -2171,7 +2171,7 @@
     </message>
     <message>
         <source>Alt+9</source>
-        <translation type="unfinished" />
+        <translation>Alt+9</translation>
     </message>
 </context>
 <context>
