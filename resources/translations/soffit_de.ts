@@ -520,6 +520,34 @@
         <source>Section from the right</source>
         <translation>Schnitt von rechts</translation>
     </message>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Save camera %1</source>
+        <translation>Kamera %1 speichern</translation>
+    </message>
+    <message>
+        <source>Update camera %1</source>
+        <translation>Kamera %1 aktualisieren</translation>
+    </message>
+    <message>
+        <source>Rename camera %1</source>
+        <translation>Kamera %1 umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete camera %1</source>
+        <translation>Kamera %1 löschen</translation>
+    </message>
+    <message>
+        <source>Reorder cameras</source>
+        <translation>Kameras umordnen</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::AboutDialog</name>
@@ -649,6 +677,45 @@
     <message>
         <source>Walking at %L1 m/s: W A S D, Q down, E up, Shift faster, wheel: speed</source>
         <translation>Gehen mit %L1 m/s: W A S D, Q abwärts, E aufwärts, Umschalt schneller, Rad: Tempo</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::CamerasPanel</name>
+    <message>
+        <source>Saved cameras</source>
+        <translation>Gespeicherte Kameras</translation>
+    </message>
+    <message>
+        <source>A click looks from there; double-click or F2: another name; drag: order</source>
+        <translation>Ein Klick blickt von dort; Doppelklick oder F2: anderer Name; Ziehen: Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Save view</source>
+        <translation>Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>Saves what the active view shows as a camera of the project</source>
+        <translation>Speichert, was die aktive Ansicht zeigt, als Kamera des Projekts</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>Aktualisieren</translation>
+    </message>
+    <message>
+        <source>The selected camera takes what the active view shows</source>
+        <translation>Die ausgewählte Kamera übernimmt, was die aktive Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>Further up</source>
+        <translation>Weiter nach oben</translation>
+    </message>
+    <message>
+        <source>Further down</source>
+        <translation>Weiter nach unten</translation>
+    </message>
+    <message>
+        <source>Delete the selected camera</source>
+        <translation>Die ausgewählte Kamera löschen</translation>
     </message>
 </context>
 <context>
@@ -1202,6 +1269,22 @@
     <message>
         <source>next layout</source>
         <translation>nächste Variante</translation>
+    </message>
+    <message>
+        <source>Right held: W, A, S, D</source>
+        <translation>Rechts gehalten: W, A, S, D</translation>
+    </message>
+    <message>
+        <source>walk; Q down, E up, Shift faster, wheel: speed</source>
+        <translation>gehen; Q abwärts, E aufwärts, Umschalt schneller, Rad: Tempo</translation>
+    </message>
+    <message>
+        <source>Plans and sections</source>
+        <translation>Grundrisse und Schnitte</translation>
+    </message>
+    <message>
+        <source>drag to shift; Ctrl + wheel moves the cut</source>
+        <translation>Ziehen verschiebt; Strg + Rad bewegt den Schnitt</translation>
     </message>
 </context>
 <context>
@@ -2026,10 +2109,6 @@
         <translation>Die Zahlen aller Varianten als durch Kommas getrennte Werte</translation>
     </message>
     <message>
-        <source>&amp;Language</source>
-        <translation>S&amp;prache</translation>
-    </message>
-    <message>
         <source>Language</source>
         <translation>Sprache</translation>
     </message>
@@ -2172,6 +2251,62 @@
     <message>
         <source>Alt+9</source>
         <translation>Alt+9</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>S&amp;prache</translation>
+    </message>
+    <message>
+        <source>Vie&amp;ws</source>
+        <translation>Ansich&amp;ten</translation>
+    </message>
+    <message>
+        <source>&amp;Cameras</source>
+        <translation>&amp;Kameras</translation>
+    </message>
+    <message>
+        <source>&amp;Save view as camera</source>
+        <translation>Ansicht als Kamera &amp;speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Next camera</source>
+        <translation>&amp;Nächste Kamera</translation>
+    </message>
+    <message>
+        <source>&amp;Previous camera</source>
+        <translation>&amp;Vorige Kamera</translation>
+    </message>
+    <message>
+        <source>&amp;One</source>
+        <translation>&amp;Eine</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+1</source>
+        <translation>Ctrl+Alt+1</translation>
+    </message>
+    <message>
+        <source>Two &amp;beside each other</source>
+        <translation>Zwei &amp;nebeneinander</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+2</source>
+        <translation>Ctrl+Alt+2</translation>
+    </message>
+    <message>
+        <source>Two, one o&amp;ver the other</source>
+        <translation>Zwei &amp;übereinander</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+3</source>
+        <translation>Ctrl+Alt+3</translation>
+    </message>
+    <message>
+        <source>&amp;Four</source>
+        <translation>&amp;Vier</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+4</source>
+        <translation>Ctrl+Alt+4</translation>
     </message>
 </context>
 <context>
@@ -2404,10 +2539,6 @@
         <translation>Das Projekt hat keine Kameras</translation>
     </message>
     <message>
-        <source>Save views in the View panel: the set takes a picture from each.</source>
-        <translation>Speichern Sie Ansichten im Fenster „Ansicht“: Die Serie nimmt aus jeder ein Bild auf.</translation>
-    </message>
-    <message>
         <source>Folder for the pictures</source>
         <translation>Ordner für die Bilder</translation>
     </message>
@@ -2422,6 +2553,10 @@
     <message>
         <source>taking pictures</source>
         <translation>Bilder werden aufgenommen</translation>
+    </message>
+    <message>
+        <source>Save views in the Cameras panel: the set takes a picture from each.</source>
+        <translation>Speichern Sie Ansichten im Fenster „Kameras“: Die Serie nimmt aus jeder ein Bild auf.</translation>
     </message>
 </context>
 <context>
@@ -2489,16 +2624,12 @@
         <translation>Ein Gebäudemodell hier ablegen oder importieren: Datei ▸ Modell importieren</translation>
     </message>
     <message>
-        <source>View %1</source>
-        <translation>Ansicht %1</translation>
-    </message>
-    <message>
-        <source>Save camera</source>
-        <translation>Kamera speichern</translation>
-    </message>
-    <message>
         <source>Exposure</source>
         <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Plans and sections are always there: choose a perspective to save it as a camera.</source>
+        <translation>Grundrisse und Schnitte sind immer da: Wählen Sie eine Perspektive, um sie als Kamera zu speichern.</translation>
     </message>
 </context>
 <context>
@@ -3035,20 +3166,8 @@
         <translation>Logarithmisch</translation>
     </message>
     <message>
-        <source>Saved cameras</source>
-        <translation>Gespeicherte Kameras</translation>
-    </message>
-    <message>
-        <source>Save this view</source>
-        <translation>Diese Ansicht speichern</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>Ansicht</translation>
-    </message>
-    <message>
-        <source>Cameras</source>
-        <translation>Kameras</translation>
     </message>
     <message>
         <source>View transform</source>

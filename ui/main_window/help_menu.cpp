@@ -19,9 +19,10 @@ QString pageOnFocus() {
   static const std::pair<const char*, const char*> kPages[] = {
       {"properties", "luminaires.md"}, {"light_list", "luminaires.md"},
       {"library", "luminaires.md"},    {"view", "view.md"},
-      {"mixer", "scenes.md"},          {"quality", "accuracy.md"},
-      {"materials", "materials.md"},   {"layouts", "layouts.md"},
-      {"results", "results.md"},       {"history", "files.md"}};
+      {"cameras", "view.md"},          {"mixer", "scenes.md"},
+      {"quality", "accuracy.md"},      {"materials", "materials.md"},
+      {"layouts", "layouts.md"},       {"results", "results.md"},
+      {"history", "files.md"}};
   for (const QWidget* w = QApplication::focusWidget(); w != nullptr; w = w->parentWidget()) {
     for (const auto& [dock, page] : kPages) {
       if (qobject_cast<const QDockWidget*>(w) != nullptr &&

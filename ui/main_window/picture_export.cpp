@@ -122,7 +122,7 @@ void PictureExport::exportSet() {
   }
   if (cameras.isEmpty()) {
     showError(window, tr("The project has no cameras"),
-              tr("Save views in the View panel: the set takes a picture from each."));
+              tr("Save views in the Cameras panel: the set takes a picture from each."));
     return;
   }
   PictureDialog dialog(workspace_.area->view().pixelSize(), cameras, layoutNames(document_),
