@@ -2294,7 +2294,7 @@
     </message>
     <message>
         <source>Two, one o&amp;ver the other</source>
-        <translation>Zwei &amp;übereinander</translation>
+        <translation>Zwei ü&amp;bereinander</translation>
     </message>
     <message>
         <source>Ctrl+Alt+3</source>
