@@ -286,7 +286,7 @@
     </message>
     <message>
         <source>⌀ 0.9 m, suspended</source>
-        <translation>⌀ 0,9 m, abgehängt</translation>
+        <translation>⌀ 0,9 m, Pendel</translation>
     </message>
     <message>
         <source>Panel</source>
@@ -310,7 +310,7 @@
     </message>
     <message>
         <source>1.5 m, on the ceiling</source>
-        <translation>1,5 m, an der Decke</translation>
+        <translation>1,5 m, Anbau</translation>
     </message>
     <message>
         <source>Linear suspended</source>
@@ -318,7 +318,7 @@
     </message>
     <message>
         <source>1.5 m, suspended</source>
-        <translation>1,5 m, abgehängt</translation>
+        <translation>1,5 m, Pendel</translation>
     </message>
     <message>
         <source>Pendant</source>
@@ -326,7 +326,7 @@
     </message>
     <message>
         <source>⌀ 0.4 m, suspended</source>
-        <translation>⌀ 0,4 m, abgehängt</translation>
+        <translation>⌀ 0,4 m, Pendel</translation>
     </message>
     <message>
         <source>Downlight</source>
@@ -350,7 +350,7 @@
     </message>
     <message>
         <source>36°, on a track</source>
-        <translation>36°, an der Stromschiene</translation>
+        <translation>36°, Schiene</translation>
     </message>
     <message>
         <source>Wall washer</source>
@@ -358,7 +358,7 @@
     </message>
     <message>
         <source>lights one side</source>
-        <translation>strahlt zu einer Seite</translation>
+        <translation>asymmetrisch</translation>
     </message>
     <message>
         <source>Sphere</source>
@@ -366,7 +366,7 @@
     </message>
     <message>
         <source>⌀ 0.3 m, suspended</source>
-        <translation>⌀ 0,3 m, abgehängt</translation>
+        <translation>⌀ 0,3 m, Pendel</translation>
     </message>
     <message>
         <source>Custom</source>
@@ -1419,7 +1419,7 @@
     </message>
     <message>
         <source>Dim</source>
-        <translation>Dimmwert</translation>
+        <translation>Dimmen</translation>
     </message>
     <message>
         <source>Flux</source>

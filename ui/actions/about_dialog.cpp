@@ -103,8 +103,9 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
   title->setWordWrap(true);
   auto* versions = new QTextBrowser;
   versions->setHtml(
-      QStringLiteral("<p>%1<br>%2</p><table cellspacing='4'><tr><th align='left'>%3</th>"
-                     "<th align='left'>%4</th><th align='left'>%5</th></tr>%6</table><p>%7</p>")
+      QStringLiteral(
+          "<p>%1<br>%2</p><table cellspacing='0' cellpadding='4'><tr><th align='left'>%3</th>"
+          "<th align='left'>%4</th><th align='left'>%5</th></tr>%6</table><p>%7</p>")
           .arg(tr("Built with %1 for Qt %2")
                    .arg(compiler().toHtmlEscaped(), QString::fromLatin1(QT_VERSION_STR)),
                tr("Running on %1, %2")
