@@ -611,11 +611,11 @@
     <name>soffit::ui::ArrayBar</name>
     <message>
         <source>Line along x</source>
-        <translation>Linie entlang x</translation>
+        <translation>Linie x</translation>
     </message>
     <message>
         <source>Line along y</source>
-        <translation>Linie entlang y</translation>
+        <translation>Linie y</translation>
     </message>
     <message>
         <source>Rectangle</source>
@@ -647,7 +647,7 @@
     </message>
     <message>
         <source>Apply</source>
-        <translation>Anwenden</translation>
+        <translation>OK</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -655,7 +655,7 @@
     </message>
     <message>
         <source>to the walls %1</source>
-        <translation>zu den Wänden %1</translation>
+        <translation>Wand %1</translation>
     </message>
 </context>
 <context>
@@ -757,7 +757,7 @@
     </message>
     <message>
         <source>Side by side</source>
-        <translation>Nebeneinander</translation>
+        <translation>Beide</translation>
     </message>
     <message>
         <source>Two pictures, one camera</source>
@@ -2672,7 +2672,7 @@
     </message>
     <message>
         <source>All further reflections</source>
-        <translation>Alle weiteren Reflexionen</translation>
+        <translation>Weitere Reflexionen</translation>
     </message>
     <message>
         <source>Solved to a residual, not counted in bounces</source>
