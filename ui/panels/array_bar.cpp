@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QToolButton>
 
 namespace soffit::ui {
 
@@ -41,7 +42,11 @@ ArrayBar::ArrayBar(QWidget* parent)
   radius_->setToolTip(tr("Radius of the circle"));
   auto* apply = new QPushButton(tr("Apply"));
   apply->setDefault(true);
-  auto* cancel = new QPushButton(tr("Cancel"));
+  auto* cancel = new QToolButton;  // narrow: the bar fits a small view in every language
+  cancel->setText(QStringLiteral("\u2715"));
+  cancel->setToolTip(tr("Cancel"));
+  cancel->setAccessibleName(tr("Cancel"));
+  cancel->setAutoRaise(true);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(8, 6, 8, 6);
   row->setSpacing(6);
@@ -82,7 +87,7 @@ ArrayBar::ArrayBar(QWidget* parent)
     tell();
   });
   connect(apply, &QPushButton::clicked, this, &ArrayBar::applied);
-  connect(cancel, &QPushButton::clicked, this, &ArrayBar::cancelled);
+  connect(cancel, &QToolButton::clicked, this, &ArrayBar::cancelled);
 }
 
 void ArrayBar::tell() {
