@@ -119,6 +119,7 @@ ProjectContent readContent(const Json& root, Report& report) {
   });
   readMaterials(reader, report, content);
   if (const Json* scenes = reader.get("scenes")) (void)readLightScenes(*scenes, "scenes", report);
+  if (const Json* probes = reader.get("probes")) (void)readProbes(*probes, "probes", report);
   readList(reader, "luminaires", report, [&](const Json& value, const std::string& path) {
     content.luminaires.push_back(readBaseLuminaire(value, path, report));
   });

@@ -117,6 +117,7 @@ Result<Project> assemble(Project project, const LoadOptions& options) {
     return fault;
   }
   project.light_scenes = readAllLightScenes(*root);
+  project.probes = probesOf(*root);
   project.layout = options.layout;
   project.overridden = !options.layout.empty() || !options.sets.empty();
   project.warnings = withoutRepeats(report.warnings());

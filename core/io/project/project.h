@@ -4,6 +4,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/io/project/light_scenes.h"
+#include "core/io/project/probes.h"
 #include "core/math/vec.h"
 #include "core/scene/scene.h"
 
@@ -41,7 +42,8 @@ struct Project {
   std::vector<std::string> warnings;
   /// The materials as the geometry files have them, before the project's overrides.
   std::vector<scene::Material> file_materials;
-  LightScenes light_scenes;  ///< presets of the mixer; presets of the base under the empty name
+  LightScenes light_scenes;   ///< presets of the mixer; presets of the base under the empty name
+  std::vector<Probe> probes;  ///< points of surfaces whose light is watched
   /// Content by name of files that luminaires name and the folder may lack: saveProjectAs() writes
   /// them beside the project.
   std::map<std::string, std::string> pending_files;

@@ -196,6 +196,7 @@ Result<std::string> formatProject(const Project& project) {
   syncLuminaires(project.scene, root);
   syncLayouts(project.scene, root);
   syncLightScenes(project.light_scenes, root);
+  syncProbes(project.probes, root);
   syncPlaces(project.scene, root);
   syncView(project.scene, root);
   if (!project.scene.environment) root.erase("environment");
