@@ -4,8 +4,11 @@
 #include "core/base/parallel.h"
 #include "core/relight/bodies.h"
 #include "core/relight/same_light.h"
+#include "core/transfer/kernels.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace soffit::relight {
 namespace {
@@ -54,15 +57,18 @@ std::vector<float> Lighting::openShare() const {
 
 void Lighting::compute(std::size_t i) {
   Entry& entry = entries_[i];
-  light::DirectCounts counts;
-  solver_->direct(emitters_[i], otherBodies(i), entry.column, &counts);
+  if (!entry.direct) {
+    light::DirectCounts counts;
+    solver_->direct(emitters_[i], otherBodies(i), entry.column, &counts);
+    counts_.add(counts);
+    entry.direct = true;
+  }
   solver_->indirect(entry.column, openShare());
-  counts_.add(counts);
   entry.ready = true;
 }
 
 std::size_t Lighting::columnFor(const light::Emitter& emitter, std::size_t at) const {
-  const auto fits = [&](std::size_t i) { return entries_[i].ready && sameLight(emitter, emitters_[i]); };
+  const auto fits = [&](std::size_t i) { return entries_[i].direct && sameLight(emitter, emitters_[i]); };
   if (at < entries_.size() && fits(at)) return at;
   // It changed its number: others were added or removed before it.
   std::size_t i = 0;
@@ -85,8 +91,9 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
     const std::size_t from = keep ? columnFor(emitters[i], i) : entries_.size();
     if (from == entries_.size()) continue;
     entries[i].column = std::move(entries_[from].column);
-    entries[i].ready = true;
-    entries_[from].ready = false;  // taken
+    entries[i].direct = true;
+    entries[i].ready = entries_[from].ready;
+    entries_[from].direct = false;  // taken
   }
   emitters_ = std::move(emitters);
   entries_ = std::move(entries);
@@ -103,17 +110,49 @@ Result<void> Lighting::repaint(std::shared_ptr<const Solver> solver, const Job& 
   solver_ = std::move(solver);
   grabbed_ = static_cast<std::size_t>(-1);
   const std::vector<float> open = openShare();
-  std::vector<std::size_t> waiting;
+  for (Entry& entry : entries_) entry.ready = false;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (entries_[i].ready) waiting.push_back(i);
-    entries_[i].ready = false;
-  }
-  for (const std::size_t i : waiting) {
+    if (!entries_[i].direct) continue;
     if (job.cancelled()) return Error{"light", "cancelled", ""};
     solver_->indirect(entries_[i].column, open);
     entries_[i].ready = true;
   }
   return {};
+}
+
+std::optional<Planes> Lighting::totalUnder(const Solver& painted) const {
+  const auto& clusters = solver_->operators().texels.receivers.clusters;
+  std::vector<std::pair<dvec3, Column>> lights;  // by colour
+  for (std::size_t i = 0; i < emitters_.size(); ++i) {
+    if (emitters_[i].gain <= 0.0) continue;
+    if (!entries_[i].direct) return std::nullopt;
+    const Column& one = entries_[i].column;
+    auto sum = std::ranges::find(lights, emitters_[i].color, &std::pair<dvec3, Column>::first);
+    if (sum == lights.end()) {
+      lights.emplace_back(emitters_[i].color, Column{});
+      sum = std::prev(lights.end());
+      sum->second.direct.assign(one.direct.size(), 0.0F);
+      sum->second.lit.assign(one.lit.size(), 0);
+    }
+    const auto gain = static_cast<float>(emitters_[i].gain);
+    parallelFor(clusters.size(), 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        if (one.lit[k] == 0) continue;
+        sum->second.lit[k] = 1;
+        transfer::addScaled(gain, &one.direct[clusters[k].begin],
+                            &sum->second.direct[clusters[k].begin],
+                            clusters[k].end - clusters[k].begin);
+      }
+    });
+  }
+  const std::vector<float> open = openShare();
+  Planes total = zeros(solver_->operators().texels.slotCount());
+  for (auto& [color, column] : lights) {
+    painted.indirect(column, open);
+    painted.add(column, color, total);
+  }
+  painted.fill(total);
+  return total;
 }
 
 void Lighting::setMix(std::size_t i, double gain, const dvec3& color) {
@@ -175,6 +214,7 @@ StageTimes Lighting::move(const light::Emitter& emitter, light::DirectCounts* co
   if (emitter.casts_shadow) entry.body = bodyBlockers(emitter);
   solver_->direct(emitter, otherBodies(grabbed_), entry.column, counts, &times);
   solver_->indirect(entry.column, openShare(), nullptr, &times);
+  entry.direct = true;
   entry.ready = true;
   solver_->addTo(entry.column, weight(grabbed_), rest_, moved_, &times);
   solver_->fill(moved_);

@@ -32,8 +32,14 @@ class Lighting {
 
   /// The same luminaires under a solver of other reflectances (Solver::repainted()): direct light
   /// stays, its reflections are computed anew. A luminaire in hand is let go.
-  /// Errors: cancelled; what was not reached is computed by the next setLuminaires().
+  /// Errors: cancelled; what was not reached is computed by the next setLuminaires(), and direct
+  /// light stays all the same.
   Result<void> repaint(std::shared_ptr<const Solver> solver, const Job& job = {});
+  /// The total under other reflectances at once, for a slider that moves: light of one colour is
+  /// reflected together and not per luminaire; nothing is kept. Differs from repaint() and total()
+  /// in how energy is conserved alone (by the sum instead of by the luminaire), far below the
+  /// error of either. Nothing where the direct light of a luminaire is missing.
+  [[nodiscard]] std::optional<Planes> totalUnder(const Solver& painted) const;
 
   /// Adds weight * the light of luminaire i to a sum of planes; fill() of the solver is left out.
   void addTo(std::size_t i, const dvec3& weight, Planes& sum) const {
@@ -65,7 +71,8 @@ class Lighting {
   struct Entry {
     Column column;
     std::vector<light::MaskBlocker> body;
-    bool ready = false;
+    bool direct = false;  ///< column.direct is there
+    bool ready = false;   ///< all of the column is
   };
   void compute(std::size_t i);
   /// The entry whose column is the light of this emitter, entries_.size() for none.

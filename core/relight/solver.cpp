@@ -285,17 +285,16 @@ void Solver::addIndirect(const Column& column, const vec4& w, std::size_t i, Pla
   const std::size_t slots = c.end - c.begin;
   if (!column.skeleton.empty()) {
     const transfer::ClusterWeights& cw = op.clusters[i];
-    std::array<vec4, 256> y;
-    for (std::uint32_t k = 0; k < cw.rank; ++k) y[k] = w * column.skeleton[cw.first_list + k];
-    // Weights may be negative; light is not.
     alignas(64) std::array<std::array<float, 256>, 3> light{};
     transfer::interpolate(std::span(op.weights).subspan(cw.first_weight, cw.rank * slots),
-                          std::span<const vec4>(y.data(), cw.rank), slots, light[0].data(),
-                          light[1].data(), light[2].data());
+                          std::span(column.skeleton).subspan(cw.first_list, cw.rank), slots,
+                          light[0].data(), light[1].data(), light[2].data());
+    // Weights of the interpolation may be negative; light is not. Those of the sum may be: light
+    // that is taken away again.
     for (std::size_t s = 0; s < slots; ++s) {
-      r[s] += std::max(0.0F, light[0][s]);
-      g[s] += std::max(0.0F, light[1][s]);
-      b[s] += std::max(0.0F, light[2][s]);
+      r[s] += w.x * std::max(0.0F, light[0][s]);
+      g[s] += w.y * std::max(0.0F, light[1][s]);
+      b[s] += w.z * std::max(0.0F, light[2][s]);
     }
   } else if (!column.node.empty()) {
     for (std::uint32_t s = c.begin; s < c.end; ++s) {

@@ -126,15 +126,40 @@ void Document::edit(const QString& text, scene::Scene next, int merge_key) {
       }));
 }
 
-void Document::editLayouts(const QString& text, scene::Scene next, const QString& layout_after) {
+void Document::editLayouts(const QString& text, scene::Scene next, const QString& layout_after,
+                           const std::optional<std::pair<QString, QString>>& scenes_from) {
   cancelPreview();
   auto after = std::make_shared<const scene::Scene>(std::move(next));
   if (!scene::diff(*scene_, *after).any()) return;
+  const io::LightScenes before_scenes = project_.light_scenes;
+  io::LightScenes after_scenes = before_scenes;
+  if (scenes_from) {
+    const auto own = before_scenes.find(toStd(scenes_from->second));
+    if (own != before_scenes.end()) after_scenes[toStd(scenes_from->first)] = own->second;
+  }
+  std::erase_if(after_scenes, [&](const auto& entry) {
+    return !entry.first.empty() && std::ranges::find(after->layouts, entry.first,
+                                                     &scene::Layout::name) == after->layouts.end();
+  });
   auto* command = new SceneCommand(
-      text, scene_, std::move(after), layout_, -1,
-      [this](const ScenePtr& scene, const QString& layout) {
+      text, scene_, after, layout_, -1,
+      [this, after, before_scenes, after_scenes](const ScenePtr& scene, const QString& layout) {
         before_preview_ = nullptr;  // undone or redone beneath a preview: that is given up
+        const bool forth = scene == after;
+        // Of the layouts alone that this step made or ended: others may have been edited since.
+        for (const auto* scenes : {&before_scenes, &after_scenes}) {
+          for (const auto& [name, list] : *scenes) {
+            const auto& wanted = forth ? after_scenes : before_scenes;
+            const auto found = wanted.find(name);
+            if (found == wanted.end()) {
+              project_.light_scenes.erase(name);
+            } else if (!before_scenes.contains(name) || !after_scenes.contains(name)) {
+              project_.light_scenes[name] = found->second;
+            }
+          }
+        }
         show(scene, layout);
+        Q_EMIT lightScenesChanged();
       });
   command->setLayoutAfter(layout_after);
   undo_stack_.push(command);

@@ -11,6 +11,8 @@
 #include <QUndoStack>
 
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 /// The project that is open. Knows no widget.
@@ -64,8 +66,11 @@ class Document : public QObject {
   /// Another scene, as one undo step. Consecutive edits with the same text and merge_key (not -1)
   /// are one step. An equal scene is no step.
   void edit(const QString& text, scene::Scene next, int merge_key = -1);
-  /// Another scene in which another layout is shown, as one undo step.
-  void editLayouts(const QString& text, scene::Scene next, const QString& layout_after);
+  /// Another scene in which another layout is shown, as one undo step. scenes_from: of a
+  /// layout that is a copy of another, or itself under another name, the one whose light scenes it
+  /// takes over, in this order. Scenes of layouts that are gone go too.
+  void editLayouts(const QString& text, scene::Scene next, const QString& layout_after,
+                   const std::optional<std::pair<QString, QString>>& scenes_from = std::nullopt);
   /// The same for the luminaires named: `change` alters each in place, in the layout that is shown.
   void editLuminaires(const QString& text, const QStringList& names,
                       const std::function<void(light::Luminaire&)>& change, int merge_key = -1);

@@ -13,6 +13,8 @@ namespace {
 
 /// Two factors are one when they differ by no more than the rounding of their division.
 constexpr double kSameFactor = 1e-9;
+/// Each leaves about 1e-7 of its light behind: together still less than a hundred-thousandth.
+constexpr std::size_t kMostDifferences = 64;
 
 dvec3 weightOf(const relight::Lighting& lighting, std::size_t i) {
   const light::Emitter& e = lighting.emitters()[i];
@@ -47,12 +49,33 @@ void GroupSums::make(Sum& sum, const relight::Lighting& lighting) {
   const std::size_t slots = lighting.solver().operators().texels.slotCount();
   for (auto& plane : sum.planes) plane.assign(slots, 0.0F);
   sum.weights.clear();
+  sum.differences = 0;
   for (const std::size_t i : sum.members) {
     sum.weights.push_back(weightOf(lighting, i));
     if (lighting.emitters()[i].gain <= 0.0) continue;
     lighting.addTo(i, sum.weights.back(), sum.planes);
     ++added_;
   }
+}
+
+/// Adds what changed to the sum; false when it is better made anew.
+bool GroupSums::adjust(Sum& sum, const relight::Lighting& lighting, const std::vector<dvec3>& now) {
+  std::vector<std::size_t> others;
+  bool dark = true;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (now[i] != sum.weights[i]) others.push_back(i);
+    dark = dark && now[i] == dvec3(0.0);
+  }
+  // In the dark there is to be no light at all, not even what rounding leaves.
+  if (dark || 2 * others.size() > now.size()) return false;
+  if (sum.differences + others.size() > kMostDifferences) return false;
+  for (const std::size_t i : others) {
+    lighting.addTo(sum.members[i], now[i] - sum.weights[i], sum.planes);
+    ++added_;
+  }
+  sum.differences += others.size();
+  sum.weights = now;
+  return true;
 }
 
 relight::Planes GroupSums::total(const relight::Lighting& lighting,
@@ -72,7 +95,7 @@ relight::Planes GroupSums::total(const relight::Lighting& lighting,
   for (const auto& [group, list] : members) {
     auto sum = std::ranges::find(sums_, group, &Sum::group);
     if (sum == sums_.end()) {
-      sums_.push_back({group, list, {}, {}});
+      sums_.push_back({group, list, {}, {}, 0});
       sum = std::prev(sums_.end());
       make(*sum, lighting);
     }
@@ -80,7 +103,7 @@ relight::Planes GroupSums::total(const relight::Lighting& lighting,
     for (const std::size_t i : list) now.push_back(weightOf(lighting, i));
     auto factor = factorBetween(sum->weights, now);
     if (!factor) {
-      make(*sum, lighting);
+      if (!adjust(*sum, lighting, now)) make(*sum, lighting);
       factor = dvec3(1.0);
     }
     for (int c = 0; c < 3; ++c) {

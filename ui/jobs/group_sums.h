@@ -12,7 +12,8 @@ namespace soffit::ui {
 /// costs one multiplication per texel however many luminaires it has, and no ray.
 ///
 /// Light is linear: while the weights (dimming times colour) of all members of a group change by
-/// one factor per channel, the sum changes by it. Else that group's sum is made anew.
+/// one factor per channel, the sum changes by it. Where few of them change, the difference is
+/// added; else that group's sum is made anew.
 class GroupSums {
  public:
   /// Lux of all luminaires; names of their groups in the order of `lighting`'s emitters.
@@ -29,7 +30,9 @@ class GroupSums {
     std::vector<std::size_t> members;
     std::vector<dvec3> weights;  ///< with which the planes were made
     relight::Planes planes;
+    std::size_t differences = 0;  ///< that were added since: each leaves its rounding behind
   };
+  bool adjust(Sum& sum, const relight::Lighting& lighting, const std::vector<dvec3>& now);
   void make(Sum& sum, const relight::Lighting& lighting);
 
   std::vector<Sum> sums_;

@@ -12,6 +12,8 @@ namespace {
 
 /// Layouts whose columns are kept; an office of 60 luminaires takes about 30 MB each.
 constexpr std::size_t kMostLayouts = 6;
+/// With fewer luminaires each one's own reflections are as quick as their sum's.
+constexpr std::size_t kManyLuminaires = 4;
 
 /// Whether two luminaires differ in nothing but how much they give, and where they are listed.
 bool sameButMix(const light::Luminaire& a, light::Luminaire b) {
@@ -33,6 +35,23 @@ void LightColumns::setSolver(std::shared_ptr<const relight::Solver> solver) {
 void LightColumns::repaint(std::shared_ptr<const relight::Solver> solver) {
   solver_ = std::move(solver);
   for (Entry& entry : entries_) entry.grabbed.reset();
+}
+
+std::optional<LightColumns::Answer> LightColumns::paintedLight(
+    const std::string& layout, const std::vector<light::Luminaire>& luminaires) const {
+  const auto entry = std::ranges::find(entries_, layout, &Entry::layout);
+  if (entry == entries_.end() || &entry->lighting->solver() == solver_.get()) return std::nullopt;
+  if (luminaires.size() < kManyLuminaires) return std::nullopt;
+  if (!std::ranges::equal(entry->luminaires, luminaires,
+                          [](const auto& a, const auto& b) { return scene::same(a, b); })) {
+    return std::nullopt;
+  }
+  auto total = entry->lighting->totalUnder(*solver_);
+  if (!total) return std::nullopt;
+  Answer answer;
+  answer.lux = std::move(*total);
+  answer.emitters.assign(entry->lighting->emitters().begin(), entry->lighting->emitters().end());
+  return answer;
 }
 
 LightColumns::Entry& LightColumns::entryOf(const std::string& layout) {
@@ -68,7 +87,11 @@ Result<void> LightColumns::take(Entry& entry, const std::vector<light::Luminaire
   entry.changed.resize(luminaires.size(), true);
   if (&entry.lighting->solver() != solver_.get()) {
     entry.sums.clear();
-    if (auto painted = entry.lighting->repaint(solver_, job); !painted) return painted.error();
+    entry.half_painted = true;
+    if (auto painted = entry.lighting->repaint(solver_, job); !painted) {
+      entry.luminaires = before;  // their direct light is there
+      return painted.error();
+    }
   }
   const auto set = entry.lighting->setLuminaires(luminaires, job);
   for (std::size_t i = 0; i < luminaires.size(); ++i) {
@@ -76,6 +99,7 @@ Result<void> LightColumns::take(Entry& entry, const std::vector<light::Luminaire
     entry.changed[i] = entry.changed[i] || !same;
   }
   if (set) {
+    entry.half_painted = false;
     entry.luminaires = luminaires;
   } else {
     entry.sums.clear();
@@ -98,7 +122,7 @@ Result<LightColumns::Answer> LightColumns::light(const std::string& layout,
   Entry& entry = entryOf(layout);
   relight::Lighting& lighting = *entry.lighting;
   Answer answer;
-  const bool painted = &lighting.solver() != solver_.get();
+  const bool painted = entry.half_painted || &lighting.solver() != solver_.get();
   if (!painted && in_hand && *in_hand < luminaires.size() && luminaires[*in_hand].on &&
       onlyMoved(entry, luminaires, *in_hand)) {
     if (entry.grabbed != in_hand) {
@@ -107,7 +131,7 @@ Result<LightColumns::Answer> LightColumns::light(const std::string& layout,
     }
     const auto emitter = light::makeEmitter(luminaires[*in_hand], solver_->scene().mesh->origin);
     if (!emitter) return emitter.error();
-    answer.times = lighting.move(*emitter);
+    answer.times = lighting.move(*emitter, &answer.counts);
     entry.luminaires[*in_hand] = luminaires[*in_hand];
     answer.lux = lighting.moved();
   } else {

@@ -17,9 +17,21 @@ namespace soffit::ui {
 /// costs a sum, and a drag keeps one luminaire in hand. Belongs to one thread.
 class LightColumns {
  public:
+  struct Answer {
+    relight::Planes lux;
+    relight::StageTimes times;
+    light::DirectCounts counts;
+    std::vector<light::Emitter> emitters;
+  };
+
   /// The solver with other reflectances: direct light stays, its reflections follow at the next
   /// light() of each layout.
   void repaint(std::shared_ptr<const relight::Solver> solver);
+  /// After repaint(): the light of a layout that is otherwise as it was, at the price of a few
+  /// luminaires however many it has (relight::Lighting::totalUnder()); light() follows with every
+  /// luminaire's own. Nothing where that would not be quicker.
+  std::optional<Answer> paintedLight(const std::string& layout,
+                                     const std::vector<light::Luminaire>& luminaires) const;
 
   /// Another solver: all light is computed anew.
   void setSolver(std::shared_ptr<const relight::Solver> solver);
@@ -31,11 +43,6 @@ class LightColumns {
   /// Total light of a layout's luminaires. in_hand: the one that is being dragged; as long as it
   /// stays the same and nothing else changes, a call costs one move.
   /// Errors: makeEmitter's; cancelled (what was computed until then is kept).
-  struct Answer {
-    relight::Planes lux;
-    relight::StageTimes times;
-    std::vector<light::Emitter> emitters;
-  };
   Result<Answer> light(const std::string& layout, const std::vector<light::Luminaire>& luminaires,
                        std::optional<std::size_t> in_hand, const Job& job);
 
@@ -45,6 +52,7 @@ class LightColumns {
     std::unique_ptr<relight::Lighting> lighting;
     std::vector<light::Luminaire> luminaires;  ///< the state of `lighting`
     std::optional<std::size_t> grabbed;
+    bool half_painted = false;  ///< a repaint was given up: reflections are old and new
     GroupSums sums;
     std::vector<bool> changed;  ///< since the sums were made
   };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/ray_caster.h"
+#include "core/light/direct_stage.h"
 #include "core/light/emitter.h"
 #include "core/relight/lighting.h"
 #include "core/scene/scene.h"
@@ -23,6 +24,7 @@ struct LightFrame {
   std::vector<std::string> names;                 ///< of the luminaires
   std::uint64_t revision = 0;                     ///< of the request that it answers
   relight::StageTimes times;                      ///< of a move; zero otherwise
+  light::DirectCounts counts;                     ///< of a move; zero otherwise
   double milliseconds = 0.0;                      ///< from taking up the request to the planes
 };
 using LightFramePtr = std::shared_ptr<const LightFrame>;

@@ -11,10 +11,9 @@
 namespace soffit::ui {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+double millisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
 }
 
 bool sameReflectances(const std::vector<scene::Material>& a,
@@ -162,6 +161,20 @@ void RelightWorker::ensureMaterials(const LightRequest& request) {
   columns_.repaint(columns_.solver()->repainted(materials_));
 }
 
+LightFramePtr RelightWorker::frameOf(const LightRequest& request, LightColumns::Answer answer,
+                                     Clock::time_point start) const {
+  auto frame = std::make_shared<LightFrame>();
+  frame->solver = columns_.solver();
+  frame->lux = std::move(answer.lux);
+  frame->times = answer.times;
+  frame->counts = answer.counts;
+  frame->emitters = std::move(answer.emitters);
+  for (const light::Luminaire& l : request.luminaires) frame->names.push_back(l.name);
+  frame->revision = request.revision;
+  frame->milliseconds = millisecondsSince(start);
+  return frame;
+}
+
 LightFramePtr RelightWorker::lightOf(const LightRequest& request, const std::stop_token& stop) {
   const auto start = Clock::now();
   auto answer =
@@ -170,15 +183,7 @@ LightFramePtr RelightWorker::lightOf(const LightRequest& request, const std::sto
     if (!stop.stop_requested()) Q_EMIT failed(messageOf(answer.error()));
     return nullptr;
   }
-  auto frame = std::make_shared<LightFrame>();
-  frame->solver = columns_.solver();
-  frame->lux = std::move(answer->lux);
-  frame->times = answer->times;
-  frame->emitters = std::move(answer->emitters);
-  for (const light::Luminaire& l : request.luminaires) frame->names.push_back(l.name);
-  frame->revision = request.revision;
-  frame->milliseconds = millisecondsSince(start);
-  return frame;
+  return frameOf(request, std::move(*answer), start);
 }
 
 void RelightWorker::serve(const LightRequest& request, const std::stop_token& stop) {
@@ -187,6 +192,10 @@ void RelightWorker::serve(const LightRequest& request, const std::stop_token& st
   if (!has_solver_) return;  // its arrival wakes this thread
   ensureMaterials(request);
   columns_.keep(request.layout);
+  const auto start = Clock::now();
+  if (auto painted = columns_.paintedLight(request.layout, request.luminaires)) {
+    publish(frameOf(request, std::move(*painted), start));
+  }
   if (LightFramePtr frame = lightOf(request, stop)) publish(std::move(frame));
 }
 

@@ -9,6 +9,7 @@
 
 #include <QObject>
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -60,9 +61,12 @@ class RelightWorker : public QObject {
   void failed(const QString& message);
 
  private:
+  using Clock = std::chrono::steady_clock;
   void run(const std::stop_token& stop);
   void serve(const LightRequest& request, const std::stop_token& stop);
   void serveOther(LightRequest request, const std::stop_token& stop);
+  [[nodiscard]] LightFramePtr frameOf(const LightRequest& request, LightColumns::Answer answer,
+                                      Clock::time_point start) const;
   [[nodiscard]] LightFramePtr lightOf(const LightRequest& request, const std::stop_token& stop);
   void ensureBake(const LightRequest& request);
   void ensureMaterials(const LightRequest& request);

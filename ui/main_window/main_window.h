@@ -58,6 +58,7 @@ class MainWindow : public QMainWindow {
   void placeFromPhotometry();
   void placeFromMesh();
   void makeLuminaireMenu();
+  void makeCalculateMenu();
   void makeResultsMenu();
   void makeLayoutsMenu();
   void startArray(ArrayKind kind);

@@ -26,6 +26,7 @@ void MainWindow::makeMenus() {
   makeViewMenu();
   makeInsertMenu();
   makeLuminaireMenu();
+  makeCalculateMenu();
   makeResultsMenu();
   makeLayoutsMenu();
   makeOtherMenus();

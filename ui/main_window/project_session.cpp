@@ -9,6 +9,8 @@
 #include "ui/document/text.h"
 #include "ui/viewport/picture_pass.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -38,7 +40,8 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
       document_(std::move(project)),
       workspace_(workspace),
       relighting_(document_),
-      readings_(document_, relighting_) {
+      readings_(document_, relighting_),
+      verification_(document_, relighting_) {
   ViewGrid& views = workspace_.area->grid();
   views.setScene(document_.scene());
   views.setDocument(&document_);
@@ -57,6 +60,7 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
   connectPanels();
   connectProgress();
   connectResults();
+  connectVerification();
   comparison_ = std::make_unique<ComparisonSession>(document_, relighting_, readings_, workspace_);
   pictures_ = std::make_unique<PictureExport>(document_, workspace_, *comparison_);
   connect(pictures_.get(), &PictureExport::failed, this, [this](const QString& message) {
@@ -82,6 +86,9 @@ ProjectSession::~ProjectSession() {
   workspace_.view->setDocument(nullptr);
   workspace_.quality->setDocument(nullptr);
   workspace_.results->setReadings(nullptr);
+  workspace_.verify->setVerification(nullptr);
+  workspace_.area->errors().setPoints({});
+  workspace_.status->setVerified({});
   workspace_.status->endProgress();
   workspace_.area->setNotice({});
   views.setSelection({});
@@ -151,6 +158,38 @@ void ProjectSession::connectResults() {
   connect(&readings_, &LiveReadings::failed, workspace_.log, &LogPanel::addWarning);
   connect(workspace_.results, &ResultsPanel::layoutChosen, &document_, &Document::setLayout);
   connect(workspace_.results, &ResultsPanel::exportRequested, this, &ProjectSession::exportResults);
+}
+
+void ProjectSession::connectVerification() {
+  workspace_.verify->setVerification(&verification_, &document_);
+  connect(&verification_, &Verification::progressed, workspace_.status, &StatusLine::showProgress);
+  connect(workspace_.status, &StatusLine::cancelRequested, &verification_, &Verification::cancel);
+  connect(&verification_, &Verification::finished, workspace_.status, &StatusLine::endProgress);
+  connect(&verification_, &Verification::stopped, this, [this](const QString& why) {
+    workspace_.status->endProgress();
+    if (!why.isEmpty()) workspace_.log->addWarning(why);
+  });
+  connect(&verification_, &Verification::changed, this, [this] {
+    QString badge;
+    if (verification_.isVerified()) {
+      const design::LightErrors& errors = verification_.result()->report.total;
+      const double rms = (errors.work_planes ? *errors.work_planes : errors.receivers).rms;
+      badge = tr("Verified: RMS %1 %").arg(QLocale().toString(100.0 * rms, 'f', 2));
+    }
+    workspace_.status->setVerified(badge);
+    showErrorMap();
+  });
+  connect(workspace_.verify, &VerifyPanel::mapWantedChanged, this, &ProjectSession::showErrorMap);
+}
+
+/// Of the light that is shown alone: discs of another state would lie.
+void ProjectSession::showErrorMap() {
+  ErrorMap& map = workspace_.area->errors();
+  if (!workspace_.verify->mapWanted() || !verification_.isVerified()) {
+    map.setPoints({});
+  } else {
+    map.setPoints(errorPointsOf(verification_.result()->report));
+  }
 }
 
 void ProjectSession::exportResults() {

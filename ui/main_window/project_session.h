@@ -5,6 +5,7 @@
 #include "ui/jobs/background.h"
 #include "ui/jobs/live_readings.h"
 #include "ui/jobs/relighting.h"
+#include "ui/jobs/verification.h"
 #include "ui/main_window/comparison_session.h"
 #include "ui/main_window/picture_export.h"
 #include "ui/main_window/view_area.h"
@@ -28,6 +29,7 @@ class ProjectSession : public QObject {
   [[nodiscard]] Document& document() { return document_; }
   [[nodiscard]] Relighting& relighting() { return relighting_; }
   [[nodiscard]] LiveReadings& readings() { return readings_; }
+  [[nodiscard]] Verification& verification() { return verification_; }
   [[nodiscard]] ComparisonSession& comparison() { return *comparison_; }
   [[nodiscard]] PictureExport& pictures() { return *pictures_; }
   /// In the active view.
@@ -42,6 +44,8 @@ class ProjectSession : public QObject {
   void connectPanels();
   void connectProgress();
   void connectResults();
+  void connectVerification();
+  void showErrorMap();
   void onFrame();
   void placeLuminaires();
   void saveCamera();
@@ -54,6 +58,7 @@ class ProjectSession : public QObject {
   Workspace& workspace_;
   Relighting relighting_;
   LiveReadings readings_;
+  Verification verification_;
   Background background_;
   std::unique_ptr<ComparisonSession> comparison_;
   std::unique_ptr<PictureExport> pictures_;

@@ -14,6 +14,7 @@ ViewArea::ViewArea(QWidget* parent)
     : QWidget(parent),
       grid_(new ViewGrid(*this)),
       comparison_(new ComparisonView(view(), *this)),
+      errors_(new ErrorMap(view())),
       legend_(new Legend(this)),
       notice_(new QLabel(this)) {
   legend_->hide();

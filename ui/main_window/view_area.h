@@ -3,6 +3,7 @@
 
 #include "ui/main_window/comparison_view.h"
 #include "ui/main_window/view_grid.h"
+#include "ui/viewport/error_map.h"
 #include "ui/widgets/legend.h"
 
 #include <QLabel>
@@ -26,6 +27,7 @@ class ViewArea : public QWidget {
   /// The view that commands are for.
   [[nodiscard]] ViewPane& active() { return grid_->active(); }
   [[nodiscard]] ComparisonView& comparison() { return *comparison_; }
+  [[nodiscard]] ErrorMap& errors() { return *errors_; }
   /// The scale of differences from -range to +range lux in place of the look's; 0: the look's.
   void setDifferenceScale(double range);
   /// Errors: SceneView::setLook()'s.
@@ -43,6 +45,7 @@ class ViewArea : public QWidget {
 
   ViewGrid* grid_;
   ComparisonView* comparison_;
+  ErrorMap* errors_;
   Legend* legend_;
   double difference_ = 0.0;
   QLabel* notice_;

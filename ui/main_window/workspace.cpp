@@ -53,6 +53,7 @@ Workspace makeWorkspace(QMainWindow& window) {
   w.cameras = new CamerasPanel;
   w.quality = new QualityPanel;
   w.results = new ResultsPanel;
+  w.verify = new VerifyPanel;
   w.log = new LogPanel;
   w.history = new QUndoView;
   w.history->setEmptyLabel(tr("As it was opened"));
@@ -82,12 +83,14 @@ Workspace makeWorkspace(QMainWindow& window) {
       dock(window, w, Qt::BottomDockWidgetArea, tr("Light list"), "light_list", w.lights);
   QDockWidget* results =
       dock(window, w, Qt::BottomDockWidgetArea, tr("Results"), "results", w.results);
+  QDockWidget* verify = dock(window, w, Qt::BottomDockWidgetArea, tr("Verify"), "verify", w.verify);
   QDockWidget* log = dock(window, w, Qt::BottomDockWidgetArea, tr("Log"), "log", w.log);
   QDockWidget* history =
       dock(window, w, Qt::BottomDockWidgetArea, tr("History"), "history", w.history);
   window.splitDockWidget(layouts, lights, Qt::Horizontal);
   window.tabifyDockWidget(lights, results);
-  window.tabifyDockWidget(results, log);
+  window.tabifyDockWidget(results, verify);
+  window.tabifyDockWidget(verify, log);
   window.tabifyDockWidget(log, history);
   lights->raise();
   window.tabifyDockWidget(properties, materials);

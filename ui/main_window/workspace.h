@@ -13,6 +13,7 @@
 #include "ui/panels/quality_panel.h"
 #include "ui/panels/results_panel.h"
 #include "ui/panels/status_line.h"
+#include "ui/panels/verify_panel.h"
 #include "ui/panels/view_panel.h"
 
 class QDockWidget;
@@ -34,6 +35,7 @@ struct Workspace {
   CamerasPanel* cameras = nullptr;
   QualityPanel* quality = nullptr;
   ResultsPanel* results = nullptr;
+  VerifyPanel* verify = nullptr;
   LogPanel* log = nullptr;
   QUndoView* history = nullptr;  ///< the steps that can be undone; the window says whose
   StatusLine* status = nullptr;

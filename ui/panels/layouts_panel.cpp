@@ -164,7 +164,8 @@ void LayoutsPanel::duplicateShown() {
   auto next = scene::withLayout(*document_->scene(), name, toStd(source));
   if (!next) return;
   thumbnails_[toQt(name)] = thumbnails_.value(source);
-  document_->editLayouts(tr("Duplicate layout"), std::move(*next), toQt(name));
+  document_->editLayouts(tr("Duplicate layout"), std::move(*next), toQt(name),
+                         std::pair(toQt(name), source));
 }
 
 void LayoutsPanel::deleteShown() {
@@ -188,7 +189,7 @@ void LayoutsPanel::rename(const QListWidgetItem& item) {
   if (next && from != to) {
     thumbnails_[to] = thumbnails_.value(from);
     const QString shown = document_->layout() == from ? to : document_->layout();
-    document_->editLayouts(tr("Rename layout"), std::move(*next), shown);
+    document_->editLayouts(tr("Rename layout"), std::move(*next), shown, std::pair(to, from));
     return;
   }
   // Empty or taken: the old name comes back.

@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::array kPresets{"draft", "interactive", "final"};
 constexpr std::size_t kStages = 5;
+constexpr std::uint64_t kRaysAvoided = 64;  ///< per point, as `soffit bench` counts them
 
 QString sentence(const std::string& text) {
   QString out = coreWords(text);
@@ -65,6 +66,16 @@ QualityPanel::QualityPanel(QWidget* parent)
   row(update_, tr("Gathering them"), tr("From patches to where light differs"));
   row(update_, tr("All points"), tr("Interpolated with precomputed weights"));
   row(update_, tr("Together"), {});
+  visibility_ = section(tr("Shadows of the last move"));
+  row(visibility_, tr("Rays traced"),
+      tr("None: what hides a light is found from the shapes between it and the point, in closed "
+         "form"));
+  row(visibility_, tr("Rays avoided"),
+      tr("That 64 shadow rays for each lit point would have taken"));
+  row(visibility_, tr("Points computed"), tr("The others lie behind the light, or it behind them"));
+  row(visibility_, tr("Groups of points skipped"), tr("Turned away from the light as a whole"));
+  row(visibility_, tr("Groups that nothing can shade"),
+      tr("Empty between them and the light: no test at all"));
   transport_ = section(tr("Light transport"));
   row(transport_, tr("Points"), tr("Where light is computed and sent on"));
   row(transport_, tr("Gather points"), tr("Of these, where rays were traced for all the others"));
@@ -93,7 +104,7 @@ void QualityPanel::setDocument(Document* document) {
   if (document_ != nullptr) document_->disconnect(this);
   document_ = document;
   setEnabled(document != nullptr);
-  for (QTreeWidgetItem* section : {update_, transport_}) {
+  for (QTreeWidgetItem* section : {update_, visibility_, transport_}) {
     for (int i = 0; i < section->childCount(); ++i) {
       section->child(i)->setText(1, QStringLiteral("\u2013"));
     }
@@ -146,6 +157,12 @@ void QualityPanel::showFrame(const LightFrame& frame) {
     for (std::size_t i = 0; i < stages.size(); ++i) {
       update_->child(static_cast<int>(i))
           ->setText(1, tr("%1 ms").arg(locale.toString(stages[i], 'f', 1)));
+    }
+    const light::DirectCounts& counts = frame.counts;
+    const std::uint64_t rows[] = {0, kRaysAvoided * counts.points, counts.points,
+                                  counts.clusters_culled, counts.clusters_clear};
+    for (int i = 0; i < visibility_->childCount(); ++i) {
+      visibility_->child(i)->setText(1, locale.toString(static_cast<qulonglong>(rows[i])));
     }
   }
   const transfer::Operators& op = frame.solver->operators();

@@ -35,6 +35,7 @@ class QualityPanel : public QWidget {
   QLabel* own_;  ///< single settings of the project
   QTreeWidget* figures_;
   QTreeWidgetItem* update_;
+  QTreeWidgetItem* visibility_;
   QTreeWidgetItem* transport_;
   QTreeWidgetItem* needed_;
   QTreeWidgetItem* skipped_;

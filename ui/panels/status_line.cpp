@@ -28,6 +28,7 @@ StatusLine::StatusLine(QStatusBar* bar)
       place_(new QLabel),
       light_(new QLabel),
       quality_(new QLabel),
+      verified_(new QLabel),
       hint_(new QLabel),
       stage_(new QLabel),
       progress_(new QProgressBar),
@@ -45,6 +46,9 @@ StatusLine::StatusLine(QStatusBar* bar)
   light_->setToolTip(tr("Illuminance of the surface under the cursor, and its diffuse luminance"));
   quality_->setToolTip(
       tr("State of the light; milliseconds of its last update and of the last picture"));
+  verified_->setToolTip(tr("The light that is shown was compared with the path tracer"));
+  verified_->setFont(bold);
+  verified_->hide();
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setFixedWidth(140);
@@ -59,6 +63,7 @@ StatusLine::StatusLine(QStatusBar* bar)
   bar->addPermanentWidget(place_);
   bar->addPermanentWidget(light_);
   bar->addPermanentWidget(quality_);
+  bar->addPermanentWidget(verified_);
   connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancelRequested);
   endProgress();
 }
@@ -105,6 +110,11 @@ void StatusLine::showReading(const std::optional<SurfaceReading>& reading) {
                       .arg(formatNumber(p.x, 2), formatNumber(p.y, 2), formatNumber(p.z, 2)));
   light_->setText(QStringLiteral("%1 lx   %2 cd/m\u00b2")
                       .arg(significant(reading->lux), significant(reading->luminance)));
+}
+
+void StatusLine::setVerified(const QString& text) {
+  verified_->setText(text.isEmpty() ? text : QStringLiteral("\u2713 ") + text);
+  verified_->setVisible(!text.isEmpty());
 }
 
 void StatusLine::showLight(const LightFrame& frame, double frame_ms) {

@@ -27,6 +27,8 @@ class StatusLine : public QObject {
   void showHint(const QString& hint);
   void showReading(const std::optional<SurfaceReading>& reading);
   void showLight(const LightFrame& frame, double frame_ms);
+  /// What the reference said of the light that is shown; empty: nothing.
+  void setVerified(const QString& text);
 
  Q_SIGNALS:
   void cancelRequested();
@@ -35,6 +37,7 @@ class StatusLine : public QObject {
   QLabel* place_;
   QLabel* light_;
   QLabel* quality_;
+  QLabel* verified_;
   QLabel* hint_;
   QLabel* stage_;
   QProgressBar* progress_;

@@ -102,6 +102,52 @@ TEST(Lighting, OtherReflectancesKeepTheDirectLight) {
   EXPECT_EQ(lighting.total(), fresh.total());
 }
 
+TEST(Lighting, OtherReflectancesAreShownAtOnce) {
+  const auto solver = solverFor(furnishedRoom(), kPaint);
+  std::vector luminaires{panel({1, 1.5, 2.9}), panel({3, 4, 2.5}), panel({2, 3, 2.9})};
+  luminaires[1].colour.rgb = dvec3(1.0, 0.4, 0.2);
+  luminaires[2].dimming = 0.3;
+  Lighting lighting(solver);
+  ASSERT_TRUE(lighting.setLuminaires(luminaires).ok());
+  std::vector<scene::Material> darker(2);
+  for (scene::Material& m : darker) m.diffuse = dvec3(0.3, 0.2, 0.1);
+  const auto painted = solver->repainted(darker);
+  const auto quick = lighting.totalUnder(*painted);
+  ASSERT_TRUE(quick.has_value());
+  ASSERT_TRUE(lighting.repaint(painted).ok());
+  const Planes whole = lighting.total();
+  for (std::size_t c = 0; c < 3; ++c) {
+    double squares = 0.0;
+    double mean = 0.0;
+    for (std::size_t s = 0; s < whole[c].size(); ++s) {
+      squares += std::pow((*quick)[c][s] - whole[c][s], 2.0);
+      mean += whole[c][s];
+    }
+    const auto count = static_cast<double>(whole[c].size());
+    EXPECT_LT(std::sqrt(squares / count), 1e-3 * mean / count) << c;
+  }
+}
+
+TEST(Lighting, PaintThatIsGivenUpKeepsTheDirectLight) {
+  const auto solver = solverFor(furnishedRoom(), kPaint);
+  const std::vector luminaires{panel({1, 1.5, 2.9}), panel({3, 4, 2.5})};
+  Lighting lighting(solver);
+  ASSERT_TRUE(lighting.setLuminaires(luminaires).ok());
+  const std::uint64_t before = lighting.counts().points;
+  std::vector<scene::Material> darker(2);
+  for (scene::Material& m : darker) m.diffuse = dvec3(0.2);
+  const auto painted = solver->repainted(darker);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(lighting.repaint(painted, Job{nullptr, stop.get_token()}).ok());
+  EXPECT_TRUE(lighting.totalUnder(*painted).has_value());
+  ASSERT_TRUE(lighting.setLuminaires(luminaires).ok());
+  EXPECT_EQ(lighting.counts().points, before);
+  Lighting fresh(painted);
+  ASSERT_TRUE(fresh.setLuminaires(luminaires).ok());
+  EXPECT_EQ(lighting.total(), fresh.total());
+}
+
 TEST(Lighting, MovingLeadsToTheSameLightAsStartingThere) {
   const auto solver = solverFor(furnishedRoom(), kPaint);
   Lighting moving(solver);
@@ -157,8 +203,10 @@ TEST(Lighting, RotatingTheWholeSceneChangesNothingBeyondItsError) {
   const dvec3 angles(20, -35, 50);
   const dvec2 turned = reading(rotationXyz(angles), angles);
   EXPECT_GT(straight.x, 1.0);
-  EXPECT_NEAR(turned.x, straight.x, 2e-5 * straight.x);  // closed form: round-off of the rotated coordinates
-  EXPECT_NEAR(turned.y, straight.y, 0.01 * straight.y);  // 4000 texels, 4096 rays: some parts in a thousand
+  EXPECT_NEAR(turned.x, straight.x,
+              2e-5 * straight.x);  // closed form: round-off of the rotated coordinates
+  EXPECT_NEAR(turned.y, straight.y,
+              0.01 * straight.y);  // 4000 texels, 4096 rays: some parts in a thousand
 }
 
 TEST(Lighting, AReflectanceChangesWithoutABake) {

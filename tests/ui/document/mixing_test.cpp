@@ -2,6 +2,8 @@
 #include "ui/document/mixing.h"
 
 #include "core/io/project/project.h"
+#include "core/scene/edits.h"
+#include "core/scene/layout_edits.h"
 #include "tests/ui/document/saving.h"
 
 #include <QDir>
@@ -108,6 +110,34 @@ class MixingTest : public QObject {
     while (document.undoStack()->canUndo()) document.undoStack()->undo();
     QVERIFY(document.lightScenes().empty());
     QVERIFY(!document.isModified());
+  }
+
+  void scenesFollowTheirLayout() {
+    Document document(twoGroups());
+    storeScene(document, 0);
+    auto next = scene::withLayout(*document.scene(), "Copy", "");
+    document.editLayouts(QStringLiteral("x"), *next, QStringLiteral("Copy"),
+                         std::pair(QStringLiteral("Copy"), QString()));
+    QCOMPARE(document.lightScenes().size(), std::size_t{1});
+    renameScene(document, 0, QStringLiteral("Evening"));
+    next = scene::withLayoutRenamed(*document.scene(), "Copy", "Night");
+    document.editLayouts(QStringLiteral("x"), *next, QStringLiteral("Night"),
+                         std::pair(QStringLiteral("Night"), QStringLiteral("Copy")));
+    QCOMPARE(document.lightScenes().front().name, std::string("Evening"));
+    QVERIFY(!document.project().light_scenes.contains("Copy"));
+    next = scene::withoutLayout(*document.scene(), "Night");
+    document.editLayouts(QStringLiteral("x"), *next, {});
+    QVERIFY(!document.project().light_scenes.contains("Night"));
+    QVERIFY(document.lightScenes().front().name != "Evening");  // the base's own
+    document.undoStack()->undo();
+    QCOMPARE(document.lightScenes().front().name, std::string("Evening"));
+    document.undoStack()->undo();
+    QCOMPARE(document.layout(), QStringLiteral("Copy"));
+    QCOMPARE(document.lightScenes().front().name, std::string("Evening"));
+    document.undoStack()->undo();
+    document.undoStack()->undo();
+    QVERIFY(!document.project().light_scenes.contains("Copy"));
+    QCOMPARE(document.lightScenes().size(), std::size_t{1});
   }
 
   void scenesAreSavedWithTheirLayoutAndUnknownKeysStay() {

@@ -46,6 +46,28 @@ class LightColumnsTest : public QObject {
     expectSum(total());
   }
 
+  void oneLuminaireOfManyIsDimmedAndSwitchedOften() {
+    const auto before = luminaires_;
+    for (light::Luminaire& l : luminaires_) l.group = "A";
+    (void)total();
+    for (int i = 0; i < 150;
+         ++i) {  // beyond the differences that are added before a sum is renewed
+      luminaires_[1].dimming = 0.01 * (i % 90);
+      (void)total();
+    }
+    expectSum(total(), 1e-5F);             // as GroupSums promises
+    luminaires_[1].colour.cct_k = 2700.0;  // channels change by different signs
+    expectSum(total(), 1e-5F);
+    for (light::Luminaire& l : luminaires_) {
+      l.on = false;
+      (void)total();
+    }
+    const relight::Planes dark = total();
+    for (const auto& plane : dark)
+      QVERIFY(std::ranges::all_of(plane, [](float e) { return e == 0.0F; }));
+    luminaires_ = before;
+  }
+
   void changesOfMembershipAndPlaceAreNoticed() {
     (void)total();
     luminaires_[1].group = "B";
@@ -68,22 +90,53 @@ class LightColumnsTest : public QObject {
     expectSame(now, fresh.total());
   }
 
+  void paintOfManyIsShownAtOnce() {
+    const auto before = luminaires_;
+    while (luminaires_.size() < 5) {
+      luminaires_.push_back(luminaires_.back());
+      luminaires_.back().name += "+";
+      luminaires_.back().position.x -= 0.07;
+    }
+    (void)total();
+    QVERIFY(!columns_.paintedLight("", luminaires_).has_value());  // nothing was painted
+    auto materials = scene_.materials;
+    for (scene::Material& m : materials) m.diffuse *= 0.5;
+    columns_.repaint(solver_->repainted(materials));
+    const auto quick = columns_.paintedLight("", luminaires_);
+    QVERIFY(quick.has_value());
+    const relight::Planes whole = total();
+    double difference = 0.0;
+    double sum = 0.0;
+    for (std::size_t s = 0; s < whole[1].size(); ++s) {
+      difference += std::abs(static_cast<double>(quick->lux[1][s] - whole[1][s]));
+      sum += static_cast<double>(whole[1][s]);
+    }
+    QVERIFY(difference < 1e-3 * sum);
+    columns_.repaint(solver_->repainted(scene_.materials));
+    luminaires_[1].position.y += 0.1;  // more than paint: the ordinary way
+    QVERIFY(!columns_.paintedLight("", luminaires_).has_value());
+    luminaires_ = before;
+  }
+
  private:
   relight::Planes total() {
     auto answer = columns_.light("", luminaires_, std::nullopt, {});
     return answer ? answer->lux : relight::Planes{};
   }
-  void expectSum(const relight::Planes& mixed) {
+  /// Three sums of a few floats in another order.
+  static constexpr float kRounding = 16.0F * 6e-8F;
+
+  void expectSum(const relight::Planes& mixed, float roundoff = kRounding) {
     relight::Lighting fresh(solver_);
     QVERIFY(fresh.setLuminaires(luminaires_).ok());
-    expectSame(mixed, fresh.total());
+    expectSame(mixed, fresh.total(), roundoff);
   }
-  static void expectSame(const relight::Planes& a, const relight::Planes& b) {
+  static void expectSame(const relight::Planes& a, const relight::Planes& b,
+                         float share = kRounding) {
     for (std::size_t c = 0; c < 3; ++c) {
       QCOMPARE(a[c].size(), b[c].size());
       const float most = *std::ranges::max_element(b[c]);
-      // Three sums of a few floats in another order.
-      const float roundoff = 16.0F * 6e-8F * most;
+      const float roundoff = share * most;
       float worst = 0.0F;
       for (std::size_t s = 0; s < a[c].size(); ++s) {
         worst = std::max(worst, std::abs(a[c][s] - b[c][s]));
