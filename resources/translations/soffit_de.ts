@@ -548,6 +548,10 @@
         <source>Cameras</source>
         <translation>Kameras</translation>
     </message>
+    <message>
+        <source>Verify</source>
+        <translation>Prüfen</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::AboutDialog</name>
@@ -894,6 +898,13 @@
     <message>
         <source>Next corner; Enter or the first corner closes the outline. Backspace: take one back.</source>
         <translation>Nächste Ecke; Eingabe oder die erste Ecke schließt den Umriss. Rücktaste: eine zurücknehmen.</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::ErrorMap</name>
+    <message>
+        <source>Errors against the reference</source>
+        <translation>Fehler gegenüber der Referenz</translation>
     </message>
 </context>
 <context>
@@ -1531,8 +1542,8 @@
         <translation>Position</translation>
     </message>
     <message>
-        <source>x, y, z of the luminaire's origin: 3.2 m, 320 cm, 10' 6"</source>
-        <translation>x, y, z des Leuchtenursprungs: 3,2 m, 320 cm, 10' 6"</translation>
+        <source>x, y, z of the luminaire&apos;s origin: 3.2 m, 320 cm, 10&apos; 6&quot;</source>
+        <translation>x, y, z des Leuchtenursprungs: 3,2 m, 320 cm, 10&apos; 6&quot;</translation>
     </message>
     <message>
         <source>Rotation</source>
@@ -2308,6 +2319,42 @@
         <source>Ctrl+Alt+4</source>
         <translation>Ctrl+Alt+4</translation>
     </message>
+    <message>
+        <source>&amp;Calculate</source>
+        <translation>&amp;Berechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Verify with the path tracer</source>
+        <translation>Mit dem Pfadverfolger &amp;prüfen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl+Shift+V</translation>
+    </message>
+    <message>
+        <source>Computes the light independently in the background and compares</source>
+        <translation>Berechnet das Licht im Hintergrund unabhängig und vergleicht</translation>
+    </message>
+    <message>
+        <source>Show the &amp;errors in the view</source>
+        <translation>&amp;Fehler in der Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Of the points that were verified</source>
+        <translation>Der geprüften Punkte</translation>
+    </message>
+    <message>
+        <source>&amp;Quality and times</source>
+        <translation>&amp;Qualität und Zeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Stop computing</source>
+        <translation>Berechnung &amp;abbrechen</translation>
+    </message>
+    <message>
+        <source>Gives up the precomputation or the verification under way</source>
+        <translation>Bricht die laufende Vorberechnung oder Prüfung ab</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::MakingLuminous</name>
@@ -2631,6 +2678,10 @@
         <source>Plans and sections are always there: choose a perspective to save it as a camera.</source>
         <translation>Grundrisse und Schnitte sind immer da: Wählen Sie eine Perspektive, um sie als Kamera zu speichern.</translation>
     </message>
+    <message>
+        <source>Verified: RMS %1 %</source>
+        <translation>Geprüft: RMS %1 %</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::QualityPanel</name>
@@ -2739,7 +2790,7 @@
         <translation>Qualität</translation>
     </message>
     <message>
-        <source>With the project's own %1</source>
+        <source>With the project&apos;s own %1</source>
         <translation>Mit eigenen Werten des Projekts: %1</translation>
     </message>
     <message>
@@ -2757,6 +2808,50 @@
     <message>
         <source>complete</source>
         <translation>vollständig</translation>
+    </message>
+    <message>
+        <source>Shadows of the last move</source>
+        <translation>Schatten der letzten Bewegung</translation>
+    </message>
+    <message>
+        <source>Rays traced</source>
+        <translation>Verfolgte Strahlen</translation>
+    </message>
+    <message>
+        <source>None: what hides a light is found from the shapes between it and the point, in closed form</source>
+        <translation>Keine: was eine Leuchte verdeckt, folgt in geschlossener Form aus den Formen zwischen ihr und dem Punkt</translation>
+    </message>
+    <message>
+        <source>Rays avoided</source>
+        <translation>Gesparte Strahlen</translation>
+    </message>
+    <message>
+        <source>That 64 shadow rays for each lit point would have taken</source>
+        <translation>Die bei 64 Schattenstrahlen je beleuchtetem Punkt nötig wären</translation>
+    </message>
+    <message>
+        <source>Points computed</source>
+        <translation>Berechnete Punkte</translation>
+    </message>
+    <message>
+        <source>The others lie behind the light, or it behind them</source>
+        <translation>Die anderen liegen hinter der Leuchte oder sie hinter ihnen</translation>
+    </message>
+    <message>
+        <source>Groups of points skipped</source>
+        <translation>Übersprungene Punktgruppen</translation>
+    </message>
+    <message>
+        <source>Turned away from the light as a whole</source>
+        <translation>Als Ganzes von der Leuchte abgewandt</translation>
+    </message>
+    <message>
+        <source>Groups that nothing can shade</source>
+        <translation>Gruppen, die nichts verschatten kann</translation>
+    </message>
+    <message>
+        <source>Empty between them and the light: no test at all</source>
+        <translation>Zwischen ihnen und der Leuchte ist nichts: kein einziger Test</translation>
     </message>
 </context>
 <context>
@@ -3114,6 +3209,184 @@
     <message>
         <source>Converged</source>
         <translation>Konvergiert</translation>
+    </message>
+    <message>
+        <source>The light that is shown was compared with the path tracer</source>
+        <translation>Das gezeigte Licht wurde mit dem Pfadverfolger verglichen</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::Verification</name>
+    <message>
+        <source>The light changed while it was being verified: verify it again</source>
+        <translation>Das Licht wurde während der Prüfung geändert: bitte erneut prüfen</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::VerifyPanel</name>
+    <message>
+        <source>Selected alone too</source>
+        <translation>Auswahl auch allein</translation>
+    </message>
+    <message>
+        <source>In the view</source>
+        <translation>In der Ansicht</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Standard error of the reference at every point. Half of it takes four times as long.</source>
+        <translation>Standardfehler der Referenz an jedem Punkt. Der halbe dauert viermal so lange.</translation>
+    </message>
+    <message>
+        <source>Standard error of the reference</source>
+        <translation>Standardfehler der Referenz</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>After this time what the reference has reached counts</source>
+        <translation>Nach dieser Zeit gilt, was die Referenz erreicht hat</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Zeitgrenze</translation>
+    </message>
+    <message>
+        <source>The light of the selected luminaire is checked apart from all others too, against its own mean</source>
+        <translation>Das Licht der ausgewählten Leuchte wird auch getrennt von allen anderen geprüft, gegen seinen eigenen Mittelwert</translation>
+    </message>
+    <message>
+        <source>A disc at every point: blue is too dark, orange too bright, hollow within twice the reference&apos;s own noise</source>
+        <translation>Eine Scheibe an jedem Punkt: blau ist zu dunkel, orange zu hell, hohl innerhalb des doppelten Rauschens der Referenz</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>The figures as text for a spreadsheet</source>
+        <translation>Die Werte als Text für eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Mean lx</source>
+        <translation>Mittel lx</translation>
+    </message>
+    <message>
+        <source>RMS %</source>
+        <translation>RMS %</translation>
+    </message>
+    <message>
+        <source>Bias %</source>
+        <translation>Bias %</translation>
+    </message>
+    <message>
+        <source>P95 %</source>
+        <translation>P95 %</translation>
+    </message>
+    <message>
+        <source>Noise %</source>
+        <translation>Rauschen %</translation>
+    </message>
+    <message>
+        <source>Points drawn from all lit surfaces, and the points of the work planes</source>
+        <translation>Zufällige Punkte aller beleuchteten Flächen und die Punkte der Nutzebenen</translation>
+    </message>
+    <message>
+        <source>Of the reference</source>
+        <translation>Der Referenz</translation>
+    </message>
+    <message>
+        <source>Root mean square error over the mean; the reference&apos;s noise is taken out</source>
+        <translation>Quadratisches Mittel der Fehler, bezogen auf den Mittelwert; das Rauschen der Referenz ist abgezogen</translation>
+    </message>
+    <message>
+        <source>Mean error over the mean; positive: computed values are too high</source>
+        <translation>Mittlerer Fehler, bezogen auf den Mittelwert; positiv: die berechneten Werte sind zu hoch</translation>
+    </message>
+    <message>
+        <source>95 % of the points are nearer than this, each relative to its own value (at least 5 % of the mean); the reference&apos;s noise included</source>
+        <translation>95 % der Punkte liegen näher, jeder bezogen auf seinen eigenen Wert (mindestens 5 % des Mittelwerts); einschließlich des Rauschens der Referenz</translation>
+    </message>
+    <message>
+        <source>Standard error of the reference over the mean</source>
+        <translation>Standardfehler der Referenz, bezogen auf den Mittelwert</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>auf</translation>
+    </message>
+    <message>
+        <source>within</source>
+        <translation>in</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Traces paths until every point is known, and compares</source>
+        <translation>Verfolgt Lichtwege, bis jeder Punkt bekannt ist, und vergleicht</translation>
+    </message>
+    <message>
+        <source>Gives the verification up</source>
+        <translation>Bricht die Prüfung ab</translation>
+    </message>
+    <message>
+        <source>Waits for the final light…</source>
+        <translation>Wartet auf das endgültige Licht…</translation>
+    </message>
+    <message>
+        <source>The reference runs; work on, but any change of the light ends it</source>
+        <translation>Die Referenz läuft; arbeiten Sie weiter, aber jede Änderung des Lichts beendet sie</translation>
+    </message>
+    <message>
+        <source>Not verified yet. An independent path tracer computes the same light, and the two are compared.</source>
+        <translation>Noch nicht geprüft. Ein unabhängiger Pfadverfolger berechnet dasselbe Licht, und beide werden verglichen.</translation>
+    </message>
+    <message>
+        <source>%1 s, %2 million rays</source>
+        <translation>%1 s, %2 Millionen Strahlen</translation>
+    </message>
+    <message>
+        <source> The time ended before every point was known that well: see the noise.</source>
+        <translation> Die Zeit endete, bevor jeder Punkt so genau bekannt war: siehe Rauschen.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Verified&lt;/b&gt;: the figures are of the light that is shown (%1).</source>
+        <translation>&lt;b&gt;Geprüft&lt;/b&gt;: die Werte gelten für das gezeigte Licht (%1).</translation>
+    </message>
+    <message>
+        <source>The light changed since: the figures are of an earlier state (%1).</source>
+        <translation>Das Licht wurde seither geändert: die Werte gelten für einen früheren Stand (%1).</translation>
+    </message>
+    <message>
+        <source>Work planes</source>
+        <translation>Nutzebenen</translation>
+    </message>
+    <message>
+        <source>All lit surfaces</source>
+        <translation>Alle beleuchteten Flächen</translation>
+    </message>
+    <message>
+        <source>%1 alone</source>
+        <translation>%1 allein</translation>
     </message>
 </context>
 <context>
