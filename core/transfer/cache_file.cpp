@@ -33,14 +33,16 @@ struct Header {
 };
 static_assert(is_packed<Header, 80>);
 
+using BlockName = std::array<char, 32>;  // longer names are cut off
+
 struct TableEntry {
-  std::array<char, 24> name{};
+  BlockName name{};
   std::uint64_t offset = 0;
   std::uint64_t size = 0;         ///< bytes
   std::uint64_t record_size = 0;  ///< bytes
   std::uint64_t hash = 0;
 };
-static_assert(is_packed<TableEntry, 56>);
+static_assert(is_packed<TableEntry, 64>);
 
 template <class T>
 std::span<const std::byte> bytesOf(const T& record) {
@@ -55,10 +57,11 @@ constexpr std::uint64_t aligned(std::uint64_t offset) {
   return (offset + kAlignment - 1) / kAlignment * kAlignment;
 }
 
-std::array<char, 24> blockName(std::string_view name) {
-  std::array<char, 24> out{};
+BlockName blockName(std::string_view name) {
+  BlockName out{};
   assert(name.size() < out.size());
-  std::copy(name.begin(), name.end(), out.begin());
+  name = name.substr(0, out.size() - 1);
+  std::ranges::copy(name, out.begin());
   return out;
 }
 

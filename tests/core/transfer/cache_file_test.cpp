@@ -13,6 +13,8 @@
 #include <cstring>
 #include <random>
 #include <sstream>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -131,7 +133,8 @@ constexpr std::size_t kSizeAt = 48;
 constexpr std::size_t kTableHashAt = 64;
 constexpr std::size_t kHeaderHashAt = 72;
 constexpr std::size_t kTableAt = 80;
-constexpr std::size_t kEntrySize = 56;
+constexpr std::size_t kNameSize = 32;
+constexpr std::size_t kEntrySize = 64;
 
 template <class T>
 T numberAt(const std::string& bytes, std::size_t at) {
@@ -150,12 +153,23 @@ void sign(std::string& bytes) {
   setNumber(bytes, kHeaderHashAt, hash64(all.first(kHeaderHashAt)));
 }
 
+TEST(CacheFile, NamesOfItsBlocksAreWhole) {
+  const Operators none;
+  const Records records;
+  const std::string whole = stored(smallBake());
+  std::size_t block = 0;
+  forEachArray(none, records, [&](std::string_view name, const auto&) {
+    EXPECT_LT(name.size(), kNameSize) << name;
+    EXPECT_STREQ(&whole[kTableAt + block++ * kEntrySize], std::string(name).c_str());
+  });
+}
+
 TEST(CacheFile, TruncationIsFoundWhereverItHappens) {
   const std::string whole = stored(smallBake());
   std::vector<std::size_t> sizes = {0, 1, 79, 80, 81, 200, whole.size() - 1};
   for (std::size_t i = 0; i < kBlocks; ++i) {
-    const auto offset = numberAt<std::uint64_t>(whole, kTableAt + i * kEntrySize + 24);
-    const auto size = numberAt<std::uint64_t>(whole, kTableAt + i * kEntrySize + 32);
+    const auto offset = numberAt<std::uint64_t>(whole, kTableAt + i * kEntrySize + kNameSize);
+    const auto size = numberAt<std::uint64_t>(whole, kTableAt + i * kEntrySize + kNameSize + 8);
     sizes.insert(sizes.end(), {offset, offset + size / 2, offset + size - 1});
   }
   for (const std::size_t size : sizes) {
@@ -179,7 +193,7 @@ TEST(CacheFile, SaysWhatIsWrong) {
     EXPECT_EQ(read.operators, nullptr);
     return read.trouble;
   };
-  const auto first = numberAt<std::uint64_t>(whole, kTableAt + 24);
+  const auto first = numberAt<std::uint64_t>(whole, kTableAt + kNameSize);
   EXPECT_EQ(trouble([](std::string& b) { b.clear(); }), "it ends too early");
   EXPECT_EQ(trouble([](std::string& b) { b[0] = 'X'; }), "it is no bake of Soffit's");
   EXPECT_EQ(trouble([](std::string& b) { std::swap(b[8], b[11]), std::swap(b[9], b[10]); }),
@@ -212,7 +226,7 @@ TEST(CacheFile, AbsurdSizesAreRefusedBeforeMemoryIsAskedFor) {
   for (const std::uint64_t size : sizes) {
     for (std::size_t block = 0; block < kBlocks; ++block) {
       std::string bytes = whole;
-      setNumber(bytes, kTableAt + block * kEntrySize + 32, size / 8 * 8);
+      setNumber(bytes, kTableAt + block * kEntrySize + kNameSize + 8, size / 8 * 8);
       sign(bytes);
       EXPECT_EQ(readBack(bytes).operators, nullptr) << block << ' ' << size;
     }
