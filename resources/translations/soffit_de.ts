@@ -3411,6 +3411,22 @@
         <source>Where the building is cut open; Ctrl and the wheel move it, too</source>
         <translation>Wo das Gebäude aufgeschnitten ist; Strg und das Rad verschieben es auch</translation>
     </message>
+    <message>
+        <source>Layout</source>
+        <translation>Variante</translation>
+    </message>
+    <message>
+        <source>The one that is edited</source>
+        <translation>Die bearbeitete</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Basis</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::ViewPanel</name>

@@ -16,7 +16,7 @@ void MainWindow::startArray(ArrayKind kind) {
   }
   ViewArea& area = *workspace_.area;
   area.grid().endTools();  // the old one first: it takes its preview back
-  ViewPane& pane = area.active();
+  ViewPane& pane = area.grid().working();
   auto tool = std::make_unique<Arraying>(session_->document(), pane.view(), kind);
   Arraying* now = tool.get();
   auto* bar = new ArrayBar(&area);

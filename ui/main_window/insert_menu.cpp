@@ -18,7 +18,7 @@ namespace soffit::ui {
 void MainWindow::place(const LuminaireType& type) {
   if (session_ == nullptr) return;
   workspace_.area->grid().endTools();
-  ViewPane& pane = workspace_.area->active();
+  ViewPane& pane = workspace_.area->grid().working();
   pane.input().setTool(
       std::make_unique<Placing>(session_->document(), pane.view(), type, pane.input().snapRules()));
 }
@@ -67,7 +67,7 @@ void MainWindow::makeInsertMenu() {
   const auto addTool = [&](const ActionText& text, const auto& make) {
     forProject(addEntry(menu, text, this, [this, make] {
       workspace_.area->grid().endTools();
-      workspace_.area->active().input().setTool(make());
+      workspace_.area->grid().working().input().setTool(make());
     }));
   };
   addTool({tr("Make &luminous"),
@@ -76,12 +76,12 @@ void MainWindow::makeInsertMenu() {
            "Make luminous"},
           [this] {
             return std::make_unique<MakingLuminous>(session_->document(),
-                                                    workspace_.area->active().view());
+                                                    workspace_.area->grid().working().view());
           });
   addTool({tr("&Draw a luminaire"), {}, tr("Corner by corner, on the ceiling"), "Draw a luminaire"},
           [this] {
             return std::make_unique<DrawingPolygon>(session_->document(),
-                                                    workspace_.area->active().view());
+                                                    workspace_.area->grid().working().view());
           });
 }
 

@@ -32,7 +32,7 @@ void MainWindow::makeLuminaireMenu() {
                       this, [this] {
                         if (session_->document().selection().isEmpty()) return;
                         workspace_.area->grid().endTools();
-                        workspace_.area->active().input().setTool(
+                        workspace_.area->grid().working().input().setTool(
                             std::make_unique<Aiming>(session_->document()));
                       }));
   addArrayEntries(named(menu.addMenu(tr("A&rray")), "Array"));

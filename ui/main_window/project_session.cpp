@@ -62,17 +62,25 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
   connectResults();
   connectVerification();
   comparison_ = std::make_unique<ComparisonSession>(document_, relighting_, readings_, workspace_);
+  OtherLights& others = comparison_->lights();
+  views.setOtherLayouts({[&others](const QString& layout) { return others.frame(layout); },
+                         [this, &others](const QString& layout) {
+                           return std::make_shared<const EmitterSet>(
+                               others.luminairesOf(layout), document_.scene()->mesh->origin);
+                         }});
+  connect(&others, &OtherLights::ready, &views, &ViewGrid::catchUp);
   pictures_ = std::make_unique<PictureExport>(document_, workspace_, *comparison_);
   connect(pictures_.get(), &PictureExport::failed, this, [this](const QString& message) {
     showError(workspace_.area->window(), tr("The picture was not written"), message);
   });
   showFirstCamera();
-  offerCameras();
+  offerViews();
   placeLuminaires();
   workspace_.area->setNotice(tr("Computing the first light\u2026"));
 }
 
 ProjectSession::~ProjectSession() {
+  workspace_.area->grid().setOtherLayouts({});
   pictures_.reset();
   comparison_.reset();
   workspace_.cameras->setDocument(nullptr);
@@ -101,7 +109,7 @@ void ProjectSession::connectView() {
   connect(&relighting_, &Relighting::frameChanged, this, &ProjectSession::onFrame);
   connect(&document_, &Document::sceneChanged, this, [this] {
     workspace_.area->grid().setScene(document_.scene());
-    offerCameras();
+    offerViews();
     placeLuminaires();
   });
   connect(&document_, &Document::hiddenChanged, this, &ProjectSession::placeLuminaires);
@@ -261,10 +269,13 @@ void ProjectSession::updateCamera(const QString& name) {
   if (camera != nullptr) ui::updateCamera(document_, camera->toScene(toStd(name)));
 }
 
-void ProjectSession::offerCameras() {
+void ProjectSession::offerViews() {
   QStringList names;
   for (const scene::Camera& camera : document_.scene()->cameras) names.append(toQt(camera.name));
   workspace_.area->grid().setCameras(names);
+  QStringList layouts{QString()};
+  for (const scene::Layout& layout : document_.scene()->layouts) layouts.append(toQt(layout.name));
+  workspace_.area->grid().setLayouts(layouts, document_.layout());
 }
 
 void ProjectSession::exposeAutomatically() {

@@ -51,7 +51,7 @@ class ProjectSession : public QObject {
   void saveCamera();
   void updateCamera(const QString& name);
   [[nodiscard]] const ViewCamera* cameraToSave() const;
-  void offerCameras();
+  void offerViews();
   void exposeAutomatically();
 
   Document document_;

@@ -76,6 +76,8 @@ void ViewGrid::addPane() {
   connect(main, &ViewInput::gizmoToolChanged, input, &ViewInput::setGizmoTool);
   input->setGizmoTool(first().view().gizmoTool());
   input->setDocument(document_);
+  pane->bar().setLayouts(layouts_);
+  connect(pane, &ViewPane::layoutChanged, this, &ViewGrid::follow);
 }
 
 bool ViewGrid::eventFilter(QObject* watched, QEvent* event) {
@@ -192,6 +194,7 @@ void ViewGrid::bringUpToDate(ViewPane& pane) {
   const auto i = static_cast<std::size_t>(std::ranges::find(panes_, &pane) - panes_.begin());
   if (scene_ == nullptr) {
     if (!view.bounds().empty()) wanted_[i] = pane.standardView();
+    pane.setLayout(std::nullopt);
     view.setLuminaires(nullptr);
     view.setScene(nullptr);
     return;
@@ -199,14 +202,37 @@ void ViewGrid::bringUpToDate(ViewPane& pane) {
   const bool fresh = view.origin() != main.origin() || view.bounds().empty();
   (void)view.setLook(look_);
   view.setScene(scene_);
-  if (view.luminaires() != luminaires_) view.setLuminaires(luminaires_);
   view.setSelection(selection_);
-  const bool lit = frame_ != nullptr && main.meshSolver() == frame_->solver;
-  if (lit) view.shareMesh(main);
-  if (lit && view.frame() != frame_) view.setFrame(frame_);
+  showLight(pane);
   if (!fresh || view.bounds().empty()) return;
   pane.setPerspective(main.viewCamera().isParallel() ? first().perspective() : main.viewCamera());
   pane.show(wanted_[i]);
+}
+
+void ViewGrid::showLight(ViewPane& pane) {
+  SceneView& view = pane.view();
+  SceneView& main = first().view();
+  const bool other = showsOther(pane);
+  pane.input().setOnlyLooking(other);
+  const LightFramePtr frame = other ? others_.frame(*pane.layout()) : frame_;
+  const bool lit = frame != nullptr && main.meshSolver() == frame->solver;
+  const bool changed = lit && view.frame() != frame;
+  if (!other && view.luminaires() != luminaires_) view.setLuminaires(luminaires_);
+  if (other && (changed || view.luminaires() == nullptr || view.luminaires() == luminaires_)) {
+    view.setLuminaires(others_.luminaires(*pane.layout()));
+  }
+  if (lit) view.shareMesh(main);
+  if (changed) view.setFrame(frame);
+}
+
+void ViewGrid::setLayouts(const QStringList& names, const QString& edited) {
+  layouts_ = names;
+  edited_ = edited;
+  for (std::size_t i = 1; i < panes_.size(); ++i) {
+    panes_[i]->bar().setLayouts(names);
+    const auto& layout = panes_[i]->layout();
+    if (layout && !names.contains(*layout)) panes_[i]->setLayout(std::nullopt);
+  }
 }
 
 void ViewGrid::follow() {

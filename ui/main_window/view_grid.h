@@ -6,7 +6,9 @@
 #include <QObject>
 #include <QTimer>
 
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 class QPainter;
@@ -49,6 +51,19 @@ class ViewGrid : public QObject {
   void setSelection(const QStringList& names);
   /// Errors: SceneView::setLook()'s.
   Result<void> setLook(const Look& look);
+  /// What other layouts look like; null functions: there are none.
+  struct OtherLayouts {
+    std::function<LightFramePtr(const QString&)> frame;
+    std::function<std::shared_ptr<const EmitterSet>(const QString&)> luminaires;
+  };
+  void setOtherLayouts(OtherLayouts layouts) { others_ = std::move(layouts); }
+  /// All layouts and the one that is edited. Every view but the first may show another one; in it
+  /// nothing is edited.
+  void setLayouts(const QStringList& names, const QString& edited);
+  /// The light of another layout has come.
+  void catchUp() { follow(); }
+  /// The active view, or the first when what is shown in that one cannot be edited.
+  [[nodiscard]] ViewPane& working() { return showsOther(active()) ? first() : active(); }
   /// The saved cameras that the views' bars offer.
   void setCameras(const QStringList& names);
   /// No tool is at work any more, in any view.
@@ -72,6 +87,10 @@ class ViewGrid : public QObject {
   void showPanes(std::size_t count);
   /// Gives a view what the grid shows.
   void bringUpToDate(ViewPane& pane);
+  void showLight(ViewPane& pane);
+  [[nodiscard]] bool showsOther(const ViewPane& pane) const {
+    return pane.layout() && *pane.layout() != edited_ && others_.frame != nullptr;
+  }
   void follow();
   void followSoon();
   bool dragDivider(QEvent* event);
@@ -93,6 +112,9 @@ class ViewGrid : public QObject {
   LightFramePtr frame_;
   QStringList selection_;
   QStringList cameras_;
+  QStringList layouts_;
+  QString edited_;
+  OtherLayouts others_;
   Look look_;
 };
 

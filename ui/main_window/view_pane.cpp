@@ -25,7 +25,15 @@ ViewPane::ViewPane(QWidget& area)
     camera.setCutPlace(metres);
     view_->setViewCamera(camera);
   });
+  connect(bar_, &ViewBar::layoutChosen, this, &ViewPane::setLayout);
   onCamera();
+}
+
+void ViewPane::setLayout(const std::optional<QString>& layout) {
+  if (layout == layout_) return;
+  layout_ = layout;
+  bar_->setLayout(layout);
+  Q_EMIT layoutChanged();
 }
 
 StandardView ViewPane::standardView() const {

@@ -22,6 +22,10 @@ class ViewPane : public QObject {
   [[nodiscard]] ViewInput& input() { return *input_; }
   [[nodiscard]] ViewBar& bar() { return *bar_; }
   [[nodiscard]] StandardView standardView() const;
+  /// The layout that is shown; nothing: the one that is edited. What is in the picture is the
+  /// grid's to set.
+  [[nodiscard]] const std::optional<QString>& layout() const { return layout_; }
+  void setLayout(const std::optional<QString>& layout);
   /// The perspective that was shown last.
   [[nodiscard]] const ViewCamera& perspective() const { return perspective_; }
   void setPerspective(const ViewCamera& camera) { perspective_ = camera; }
@@ -31,6 +35,9 @@ class ViewPane : public QObject {
   void setGeometry(const QRect& rect);
   void setVisible(bool visible);
 
+ Q_SIGNALS:
+  void layoutChanged();
+
  private:
   void onCamera();
   [[nodiscard]] double floor() const;
@@ -39,6 +46,7 @@ class ViewPane : public QObject {
   ViewInput* input_;
   ViewBar* bar_;
   ViewCamera perspective_;
+  std::optional<QString> layout_;
 };
 
 }  // namespace soffit::ui

@@ -11,6 +11,15 @@ namespace {
 
 constexpr double kStep = 0.1;  // m
 
+QString nameOfLayout(const QString& layout) {
+  return layout.isEmpty() ? ViewBar::tr("Base") : layout;
+}
+
+/// A name is no mnemonic.
+QString plain(QString name) {
+  return name.replace(QLatin1Char('&'), QStringLiteral("&&"));
+}
+
 }  // namespace
 
 ViewBar::ViewBar(QWidget* parent)
@@ -46,13 +55,35 @@ void ViewBar::fillMenu() {
   for (const StandardView view : kStandardViews) {
     menu.addAction(nameOf(view), this, [this, view] { Q_EMIT viewChosen(view); });
   }
-  if (cameras_.isEmpty()) return;
-  menu.addSection(tr("Cameras"));
+  if (!cameras_.isEmpty()) menu.addSection(tr("Cameras"));
   for (const QString& name : cameras_) {
-    QString text = name;
-    menu.addAction(text.replace(QLatin1Char('&'), QStringLiteral("&&")), this,
-                   [this, name] { Q_EMIT cameraChosen(name); });
+    menu.addAction(plain(name), this, [this, name] { Q_EMIT cameraChosen(name); });
   }
+  if (layouts_.isEmpty()) return;
+  menu.addSection(tr("Layout"));
+  const auto add = [&](const QString& text, const std::optional<QString>& layout) {
+    QAction* action =
+        menu.addAction(plain(text), this, [this, layout] { Q_EMIT layoutChosen(layout); });
+    action->setCheckable(true);
+    action->setChecked(layout == layout_);
+  };
+  add(tr("The one that is edited"), std::nullopt);
+  for (const QString& name : layouts_) add(nameOfLayout(name), name);
+}
+
+void ViewBar::setLayouts(const QStringList& names) {
+  layouts_ = names;
+}
+
+void ViewBar::setLayout(const std::optional<QString>& layout) {
+  layout_ = layout;
+  showText();
+}
+
+void ViewBar::showText() {
+  view_->setText(layout_ ? tr("%1 \u2013 %2").arg(nameOf(shown_), plain(nameOfLayout(*layout_)))
+                         : nameOf(shown_));
+  adjustSize();
 }
 
 void ViewBar::setCameras(const QStringList& names) {
@@ -60,7 +91,7 @@ void ViewBar::setCameras(const QStringList& names) {
 }
 
 void ViewBar::setView(StandardView view, std::optional<double> cut) {
-  view_->setText(nameOf(view));
+  shown_ = view;
   cut_label_->setVisible(cut.has_value());
   cut_->setVisible(cut.has_value());
   if (cut) {
@@ -72,7 +103,7 @@ void ViewBar::setView(StandardView view, std::optional<double> cut) {
     cut_->setToolTip(tr("Where the building is cut open; Ctrl and the wheel move it, too"));
     cut_->setValue(cut);
   }
-  adjustSize();
+  showText();
 }
 
 }  // namespace soffit::ui

@@ -38,6 +38,13 @@ void ViewInput::setDocument(Document* document) {
   camera_.forget();
 }
 
+void ViewInput::setOnlyLooking(bool only) {
+  if (only == only_looking_) return;
+  setTool(nullptr);
+  only_looking_ = only;
+  view_.setGizmoShown(!only);
+}
+
 void ViewInput::setGizmoTool(GizmoTool tool) {
   if (mode_ == Mode::drag || tool == view_.gizmoTool()) return;
   view_.setGizmoTool(tool);
@@ -54,7 +61,7 @@ void ViewInput::setTool(std::unique_ptr<ViewTool> tool) {
   }
   if (mode_ == Mode::tool) mode_ = Mode::none;
   tool_ = std::move(tool);
-  view_.setGizmoShown(tool_ == nullptr);
+  view_.setGizmoShown(tool_ == nullptr && !only_looking_);
   view_.setCursor(tool_ == nullptr ? Qt::ArrowCursor : Qt::CrossCursor);
   if (tool_ != nullptr) {
     ViewTool* now = tool_.get();
@@ -118,6 +125,7 @@ bool ViewInput::press(const QMouseEvent& event) {
   if (mode_ != Mode::none || document_ == nullptr) return true;
   start_ = last_ = event.position();
   pressed_ = view_.pointAt(start_);
+  if (only_looking_) pressed_.luminaire.clear();
   const bool shift = (event.modifiers() & Qt::ShiftModifier) != 0;
   if (event.button() == Qt::MiddleButton || (event.button() == Qt::RightButton && shift)) {
     mode_ = Mode::camera;
@@ -134,6 +142,7 @@ bool ViewInput::press(const QMouseEvent& event) {
 }
 
 void ViewInput::select(const std::string& name, bool add) {
+  if (only_looking_) return;
   QStringList names = add ? document_->selection() : QStringList();
   const QString luminaire = toQt(name);
   if (!name.empty()) {
@@ -155,7 +164,7 @@ void ViewInput::beginPressed(const QMouseEvent& event) {
     select(pressed_.luminaire, (event.modifiers() & Qt::ControlModifier) != 0);
   }
   const bool grabbed = (body || pressed_part_ != GizmoPart::none) && view_.gizmoPlace();
-  if (!grabbed && tool_ == nullptr && (event.modifiers() & kAdding) != 0) {
+  if (!grabbed && tool_ == nullptr && !only_looking_ && (event.modifiers() & kAdding) != 0) {
     mode_ = Mode::band;
     return;
   }
@@ -180,6 +189,7 @@ void ViewInput::hover(const QMouseEvent& event) {
     tool_->hover(at, mouse, event.modifiers());
     return;
   }
+  if (only_looking_) return;
   const GizmoPart part = view_.gizmoPartAt(mouse);
   view_.setGizmoHighlight(part);
   view_.setHovered(part == GizmoPart::none ? at.luminaire : std::string());
@@ -270,7 +280,7 @@ bool ViewInput::doubleClick(const QMouseEvent& event) {
     return true;
   }
   const PointedAt at = view_.pointAt(event.position());
-  if (!at.luminaire.empty()) {
+  if (!at.luminaire.empty() && !only_looking_) {
     Q_EMIT editRequested();
   } else if (at.surface) {
     Q_EMIT surfaceDoubleClicked(*at.surface);
@@ -289,7 +299,7 @@ bool ViewInput::wheel(const QWheelEvent& event) {
 /// A kind of luminaire from the library: placed where it is let go.
 bool ViewInput::drop(QDropEvent& event, QEvent::Type what) {
   const LuminaireType* type = typeOf(event.mimeData());
-  if (type == nullptr || document_ == nullptr) return false;
+  if (type == nullptr || document_ == nullptr || only_looking_) return false;
   event.acceptProposedAction();
   if (what == QEvent::DragEnter) {
     setTool(std::make_unique<Placing>(*document_, view_, *type, rules_));

@@ -38,6 +38,8 @@ class ViewInput : public QObject {
   explicit ViewInput(SceneView& view, QObject* parent = nullptr);
   ~ViewInput() override;
   void setDocument(Document* document);
+  /// Nothing can be chosen or moved: what is shown is not what is edited.
+  void setOnlyLooking(bool only);
 
   void setGizmoTool(GizmoTool tool);
   [[nodiscard]] SnapRules& snapRules() { return rules_; }
@@ -84,6 +86,7 @@ class ViewInput : public QObject {
   CameraControl camera_;
   ViewOverlay* overlay_;
   Document* document_ = nullptr;
+  bool only_looking_ = false;
   Mode mode_ = Mode::none;
   QPointF start_;
   QPointF last_;

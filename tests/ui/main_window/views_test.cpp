@@ -121,6 +121,40 @@ class ViewsTest : public QObject {
     QCOMPARE(&grid().active(), &grid().first());
   }
 
+  void aViewCanShowAnotherLayoutAndNothingIsEditedInIt() {
+    show(Arrangement::beside);
+    Document& document = fixture_->document();
+    const QString edited = document.layout();
+    const QString other = edited.isEmpty()
+                              ? QString::fromStdString(document.scene()->layouts.front().name)
+                              : QString();
+    OtherLights& lights = fixture_->window->session()->comparison().lights();
+    QTRY_VERIFY_WITH_TIMEOUT(lights.isCurrent(other), kPatienceMs);
+    ViewPane& second = grid().pane(1);
+    Q_EMIT second.bar().layoutChosen(other);
+    QCOMPARE(second.layout(), std::optional(other));
+    QCOMPARE(second.view().frame(), lights.frame(other));
+    QVERIFY(second.view().frame() != grid().first().view().frame());
+    const dvec3 place = document.luminaires().front().position;
+    const dvec3 at = second.view().viewCamera().project(place, second.view().viewSize());
+    const ViewCamera before = second.view().viewCamera();
+    const QPoint from(static_cast<int>(at.x), static_cast<int>(at.y));
+    QTest::mousePress(&second.view(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 5; ++i) QTest::mouseMove(&second.view(), from + QPoint(8 * i, 0));
+    QTest::mouseRelease(&second.view(), Qt::LeftButton, {}, from + QPoint(40, 0));
+    QVERIFY(document.selection().isEmpty());
+    QVERIFY(!document.undoStack()->canUndo());
+    QVERIFY(!(second.view().viewCamera() == before));
+    // Tools go where one can work.
+    QCOMPARE(&grid().active(), &second);
+    QCOMPARE(&grid().working(), &grid().first());
+    const LightFramePtr shown = second.view().frame();
+    Q_EMIT second.bar().layoutChosen(std::nullopt);
+    QCOMPARE(second.view().frame(), grid().first().view().frame());
+    QVERIFY(shown != second.view().frame());
+    QCOMPARE(&grid().working(), &second);
+  }
+
   void aComparisonTakesTheWholeCentreAndGivesItBack() {
     show(Arrangement::four);
     fixture_->window->session()->comparison().setMode(ComparisonMode::side_by_side);
