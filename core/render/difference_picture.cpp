@@ -98,8 +98,8 @@ Result<scene::Image> differencePicture(const Film& first, const Film& second,
     }
   });
   if (options.legend) {
-    drawLegend(image, {[](float place) { return differenceColor(2.0F * place - 1.0F); },
-                       differenceTicks(range, legendRoom(image))});
+    drawLegend(image, LegendScale{[](float place) { return differenceColor(2.0F * place - 1.0F); },
+                                  differenceTicks(range, legendRoom(image))});
   }
   drawTitle(image, options.title);
   return image;

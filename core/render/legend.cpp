@@ -46,7 +46,13 @@ int legendRoom(const scene::Image& image) {
 }
 
 void drawLegend(scene::Image& image, const color::FalseColorRange& range) {
-  drawLegend(image, {color::falseColorAt, color::legendTicks(range, legendRoom(image))});
+  drawLegend(image, color::LuxScale{.range = range});
+}
+
+void drawLegend(scene::Image& image, const color::LuxScale& scale) {
+  drawLegend(image,
+             LegendScale{[&scale](float place) { return scale.colorAt(place); },
+                         color::legendTicks(scale, legendRoom(image)), color::nameOf(scale.unit)});
 }
 
 void drawLegend(scene::Image& image, const LegendScale& scale) {
@@ -56,7 +62,7 @@ void drawLegend(scene::Image& image, const LegendScale& scale) {
   const auto height = static_cast<float>(image.height);
   const float panel_height = panelHeight(image);
   const float bar_height = panel_height - 6.4F * h;
-  float labels = textWidth("lx", h);
+  float labels = textWidth(scale.unit, h);
   for (const auto& tick : scale.ticks) labels = std::max(labels, textWidth(tick.label, h));
 
   const float bar_width = std::round(1.6F * h);
@@ -69,7 +75,7 @@ void drawLegend(scene::Image& image, const LegendScale& scale) {
   const Area bar{std::round(panel.left + 1.2F * h), std::round(panel.top + 4.6F * h),
                  std::round(panel.left + 1.2F * h) + bar_width,
                  std::round(panel.top + 4.6F * h + bar_height)};
-  drawText(image, {bar.left, panel.top + 2.7F * h}, h, "lx", kInk);
+  drawText(image, {bar.left, panel.top + 2.7F * h}, h, scale.unit, kInk);
   drawBar(image, bar, scale);
   for (const auto& tick : scale.ticks) {
     const float y = bar.bottom - tick.place * (bar.bottom - bar.top);

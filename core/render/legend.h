@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/color/false_color.h"
+#include "core/color/lux_scale.h"
 #include "core/scene/material.h"
 
 #include <functional>
@@ -14,11 +14,13 @@ namespace soffit::render {
 /// with round values in lux. Scales with the picture; pictures too small to hold a readable
 /// legend (under 120 pixels a side) stay as they are.
 void drawLegend(scene::Image& image, const color::FalseColorRange& range);
+void drawLegend(scene::Image& image, const color::LuxScale& scale);
 
-/// Any other scale: its colors at 0..1 along the bar and the values beside it, in lux.
+/// Any other scale: its colors at 0..1 along the bar and the values beside it, in its unit.
 struct LegendScale {
   std::function<vec3(float place)> color;
   std::vector<color::LegendTick> ticks;
+  std::string unit = "lx";
 };
 void drawLegend(scene::Image& image, const LegendScale& scale);
 
