@@ -41,7 +41,9 @@ QImage toQt(const scene::Image& image) {
 
 scene::Image decoratedValues(const PictureFile& file) {
   scene::Image image = codeValues(file.picture.image);
-  if (file.legend && file.look.false_color) render::drawLegend(image, file.look.range);
+  if (file.legend && (file.look.false_color || !file.look.levels.empty())) {
+    render::drawLegend(image, file.look.scale);
+  }
   if (!file.title.isEmpty()) render::drawTitle(image, toStd(file.title));
   return image;
 }

@@ -83,6 +83,18 @@ void Document::editLightScenes(const QString& text, std::vector<io::LightScene> 
       [this, layout = layout_, before = lightScenes()] { takeLightScenes(layout, before); }));
 }
 
+void Document::takeProbes(std::vector<io::Probe> probes) {
+  project_.probes = std::move(probes);
+  Q_EMIT probesChanged();
+}
+
+void Document::editProbes(const QString& text, std::vector<io::Probe> probes) {
+  if (probes == project_.probes) return;
+  undo_stack_.push(new Step(
+      text, [this, probes = std::move(probes)] { takeProbes(probes); },
+      [this, before = project_.probes] { takeProbes(before); }));
+}
+
 void Document::setSoloGroups(const QStringList& groups) {
   if (groups == solo_) return;
   solo_ = groups;

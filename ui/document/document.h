@@ -56,6 +56,11 @@ class Document : public QObject {
   /// Others, as one undo step.
   void editLightScenes(const QString& text, std::vector<io::LightScene> scenes);
 
+  /// Points of surfaces whose light is watched.
+  [[nodiscard]] const std::vector<io::Probe>& probes() const { return project_.probes; }
+  /// Others, as one undo step.
+  void editProbes(const QString& text, std::vector<io::Probe> probes);
+
   /// Groups that are listened to alone: all others are dark in litLuminaires(). Empty: none. No
   /// part of the project, and no undo step.
   [[nodiscard]] const QStringList& soloGroups() const { return solo_; }
@@ -109,6 +114,7 @@ class Document : public QObject {
   void selectionChanged();  ///< which luminaires are selected
   void hiddenChanged();     ///< which luminaires are out of sight
   void lightScenesChanged();
+  void probesChanged();
   void soloChanged();
   void pathChanged();
   void modifiedChanged(bool modified);
@@ -116,6 +122,7 @@ class Document : public QObject {
  private:
   void show(const ScenePtr& scene, const QString& layout);
   void resolve();
+  void takeProbes(std::vector<io::Probe> probes);
   void takeLightScenes(const QString& layout, std::vector<io::LightScene> scenes);
   void dropMissingFromSelection();
 

@@ -115,6 +115,21 @@ relight::Planes LightColumns::mixed(Entry& entry) {
   return total;
 }
 
+void LightColumns::forEachLight(const std::string& layout,
+                                const std::function<void(const relight::Planes&)>& visit) const {
+  const auto found = std::ranges::find(entries_, layout, &Entry::layout);
+  if (found == entries_.end()) return;
+  const relight::Lighting& lighting = *found->lighting;
+  relight::Planes one;
+  for (std::size_t i = 0; i < lighting.emitters().size(); ++i) {
+    const light::Emitter& emitter = lighting.emitters()[i];
+    for (auto& plane : one) plane.assign(solver_->operators().texels.slotCount(), 0.0F);
+    if (emitter.gain > 0.0) lighting.addTo(i, emitter.gain * emitter.color, one);
+    solver_->fill(one);
+    visit(one);
+  }
+}
+
 Result<LightColumns::Answer> LightColumns::light(const std::string& layout,
                                                  const std::vector<light::Luminaire>& luminaires,
                                                  std::optional<std::size_t> in_hand,

@@ -5,6 +5,7 @@
 #include "core/scene/scene.h"
 #include "ui/jobs/group_sums.h"
 
+#include <functional>
 #include <list>
 #include <memory>
 #include <optional>
@@ -45,6 +46,9 @@ class LightColumns {
   /// Errors: makeEmitter's; cancelled (what was computed until then is kept).
   Result<Answer> light(const std::string& layout, const std::vector<light::Luminaire>& luminaires,
                        std::optional<std::size_t> in_hand, const Job& job);
+  /// Calls `visit` with the light of each luminaire of a layout alone, as it was computed last.
+  void forEachLight(const std::string& layout,
+                    const std::function<void(const relight::Planes&)>& visit) const;
 
  private:
   struct Entry {

@@ -32,7 +32,41 @@ vec3 albedoAt(const scene::Material& material, const geometry::Mesh& mesh,
   return plain * vec3(image->pixels[at], image->pixels[at + 1], image->pixels[at + 2]);
 }
 
+/// A probe's surface is looked for from so far before it, and so far behind it, m: a model that was
+/// read in again may have moved by rounding.
+constexpr double kProbeReach = 0.01;
+
+geometry::Ray rayOnto(const io::Probe& probe, const dvec3& origin) {
+  geometry::Ray ray;
+  ray.origin = vec3(probe.position + kProbeReach * probe.normal - origin);
+  ray.direction = vec3(-probe.normal);
+  ray.t_max = static_cast<float>(2.0 * kProbeReach);
+  return ray;
+}
+
 }  // namespace
+
+std::optional<ProbePlace> placeOf(const io::Probe& probe, const relight::Solver& solver) {
+  const transfer::StaticScene& geometry = solver.scene();
+  const geometry::Ray ray = rayOnto(probe, geometry.mesh->origin);
+  const geometry::Hit hit = geometry.caster.closest(ray);
+  if (!hit.valid() || solver.operators().texels.slotCount() == 0) return std::nullopt;
+  ProbePlace place;
+  std::array<std::uint32_t, transfer::Texels::kMostAround> slots{};
+  std::array<float, transfer::Texels::kMostAround> weights{};
+  const int count = solver.operators().texels.around(
+      hit.triangle, geometry.hitsFront(hit.triangle, ray.direction),
+      ray.origin + hit.t * ray.direction, slots, weights);
+  if (count == 0) return std::nullopt;
+  place.slots.assign(slots.begin(), slots.begin() + count);
+  place.weights.assign(weights.begin(), weights.begin() + count);
+  return place;
+}
+
+std::optional<SurfaceReading> readProbe(const LightFrame& frame, const scene::Scene& scene,
+                                        const io::Probe& probe) {
+  return readSurface(frame, scene, rayOnto(probe, scene.mesh->origin));
+}
 
 std::optional<SurfaceReading> readSurface(const LightFrame& frame, const scene::Scene& scene,
                                           const geometry::Ray& ray) {

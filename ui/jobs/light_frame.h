@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/ray_caster.h"
+#include "core/io/project/probes.h"
 #include "core/light/direct_stage.h"
 #include "core/light/emitter.h"
 #include "core/relight/lighting.h"
@@ -22,10 +23,12 @@ struct LightFrame {
   relight::Planes lux;                            ///< RGB per slot, all luminaires
   std::vector<light::Emitter> emitters;           ///< scene-local, in the order of the luminaires
   std::vector<std::string> names;                 ///< of the luminaires
-  std::uint64_t revision = 0;                     ///< of the request that it answers
-  relight::StageTimes times;                      ///< of a move; zero otherwise
-  light::DirectCounts counts;                     ///< of a move; zero otherwise
-  double milliseconds = 0.0;                      ///< from taking up the request to the planes
+  /// What each luminaire gives the probes of the request, lux; empty for one on no lit surface.
+  std::vector<std::vector<double>> shares;
+  std::uint64_t revision = 0;  ///< of the request that it answers
+  relight::StageTimes times;   ///< of a move; zero otherwise
+  light::DirectCounts counts;  ///< of a move; zero otherwise
+  double milliseconds = 0.0;   ///< from taking up the request to the planes
 };
 using LightFramePtr = std::shared_ptr<const LightFrame>;
 
@@ -38,6 +41,16 @@ struct SurfaceReading {
   double luminance = 0.0;  ///< cd/m^2 of the diffuse reflection
   std::string material;
 };
+
+/// The texels that hold the light at a probe: slots and weights of transfer::Texels::around().
+struct ProbePlace {
+  std::vector<std::uint32_t> slots;
+  std::vector<float> weights;
+};
+/// Nothing where the probe's side of the building carries no light any more.
+std::optional<ProbePlace> placeOf(const io::Probe& probe, const relight::Solver& solver);
+std::optional<SurfaceReading> readProbe(const LightFrame& frame, const scene::Scene& scene,
+                                        const io::Probe& probe);
 
 /// The surface that a ray meets (scene-local, unit direction), front or back; nothing where it
 /// meets none or only sides that carry no light.

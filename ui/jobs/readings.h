@@ -14,6 +14,7 @@ namespace soffit::ui {
 struct LayoutReading {
   std::string layout;             ///< empty: the base
   design::LayoutFigures figures;  ///< named "Base" for the base
+  std::vector<float> points;      ///< lux at the work planes' points, plane by plane
   double watts = 0.0;             ///< declared input power of what is on, as it is dimmed
   std::size_t unknown_power = 0;  ///< luminaires that are on and whose power no file declares
   bool current = true;            ///< false: luminaires changed since, the reading is under way

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/jobs/readings_worker.h"
 
+#include "core/color/luminance.h"
 #include "core/relight/engine.h"
 #include "core/scene/edits.h"
 #include "core/scene/equality.h"
@@ -149,6 +150,9 @@ Result<LayoutReading> ReadingsWorker::read(const ReadingsRequest& request,
   reading.layout = layout;
   reading.figures =
       design::layoutFigures(layout.empty() ? "Base" : layout, emitters, planes_, light);
+  for (const relight::SensorLight& point : light) {
+    reading.points.push_back(static_cast<float>(color::luminance(point.direct + point.indirect)));
+  }
   addPower(request, luminaires, reading);
   return reading;
 }

@@ -161,17 +161,17 @@ void RelightWorker::ensureMaterials(const LightRequest& request) {
   columns_.repaint(columns_.solver()->repainted(materials_));
 }
 
-LightFramePtr RelightWorker::frameOf(const LightRequest& request, LightColumns::Answer answer,
-                                     Clock::time_point start) const {
-  auto frame = std::make_shared<LightFrame>();
-  frame->solver = columns_.solver();
-  frame->lux = std::move(answer.lux);
-  frame->times = answer.times;
-  frame->counts = answer.counts;
-  frame->emitters = std::move(answer.emitters);
-  for (const light::Luminaire& l : request.luminaires) frame->names.push_back(l.name);
-  frame->revision = request.revision;
-  frame->milliseconds = millisecondsSince(start);
+LightFrame RelightWorker::frameOf(const LightRequest& request, LightColumns::Answer answer,
+                                  Clock::time_point start) const {
+  LightFrame frame;
+  frame.solver = columns_.solver();
+  frame.lux = std::move(answer.lux);
+  frame.times = answer.times;
+  frame.counts = answer.counts;
+  frame.emitters = std::move(answer.emitters);
+  for (const light::Luminaire& l : request.luminaires) frame.names.push_back(l.name);
+  frame.revision = request.revision;
+  frame.milliseconds = millisecondsSince(start);
   return frame;
 }
 
@@ -183,7 +183,13 @@ LightFramePtr RelightWorker::lightOf(const LightRequest& request, const std::sto
     if (!stop.stop_requested()) Q_EMIT failed(messageOf(answer.error()));
     return nullptr;
   }
-  return frameOf(request, std::move(*answer), start);
+  LightFrame frame = frameOf(request, std::move(*answer), start);
+  // Many luminaires in a drag leave no time for it.
+  if (request.stops_older) {
+    frame.shares = shares_.of(request.probes, columns_, request.layout, frame.lux, request.in_hand);
+    frame.milliseconds = millisecondsSince(start);
+  }
+  return std::make_shared<const LightFrame>(std::move(frame));
 }
 
 void RelightWorker::serve(const LightRequest& request, const std::stop_token& stop) {
@@ -194,7 +200,7 @@ void RelightWorker::serve(const LightRequest& request, const std::stop_token& st
   columns_.keep(request.layout);
   const auto start = Clock::now();
   if (auto painted = columns_.paintedLight(request.layout, request.luminaires)) {
-    publish(frameOf(request, std::move(*painted), start));
+    publish(std::make_shared<const LightFrame>(frameOf(request, std::move(*painted), start)));
   }
   if (LightFramePtr frame = lightOf(request, stop)) publish(std::move(frame));
 }

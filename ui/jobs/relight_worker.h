@@ -4,6 +4,7 @@
 #include "ui/document/scene_command.h"
 #include "ui/jobs/light_columns.h"
 #include "ui/jobs/light_frame.h"
+#include "ui/jobs/probe_shares.h"
 #include "ui/jobs/progress_relay.h"
 #include "ui/jobs/solver_bake.h"
 
@@ -22,6 +23,7 @@ struct LightRequest {
   std::string layout;                        ///< name, empty for the base
   std::vector<light::Luminaire> luminaires;  ///< of that layout
   std::optional<std::size_t> in_hand;        ///< the luminaire that is being dragged
+  std::vector<io::Probe> probes;             ///< that want to know who lights them
   std::uint64_t revision = 0;                ///< rising
   /// Older work is given up. Not while many luminaires are dragged: each step of that takes longer
   /// than the mouse leaves, and none would ever be finished.
@@ -65,8 +67,8 @@ class RelightWorker : public QObject {
   void run(const std::stop_token& stop);
   void serve(const LightRequest& request, const std::stop_token& stop);
   void serveOther(LightRequest request, const std::stop_token& stop);
-  [[nodiscard]] LightFramePtr frameOf(const LightRequest& request, LightColumns::Answer answer,
-                                      Clock::time_point start) const;
+  [[nodiscard]] LightFrame frameOf(const LightRequest& request, LightColumns::Answer answer,
+                                   Clock::time_point start) const;
   [[nodiscard]] LightFramePtr lightOf(const LightRequest& request, const std::stop_token& stop);
   void ensureBake(const LightRequest& request);
   void ensureMaterials(const LightRequest& request);
@@ -87,6 +89,7 @@ class RelightWorker : public QObject {
 
   // Of the light thread alone.
   LightColumns columns_;
+  ProbeShares shares_;
   std::vector<scene::Material> materials_;
   std::optional<LightRequest> last_;
   bool has_solver_ = false;

@@ -10,6 +10,7 @@ namespace soffit::ui {
 Relighting::Relighting(Document& document, bool use_cache, QObject* parent)
     : QObject(parent), document_(document), worker_(use_cache) {
   connect(&document_, &Document::sceneChanged, this, &Relighting::request);
+  connect(&document_, &Document::probesChanged, this, &Relighting::request);
   connect(&worker_, &RelightWorker::frameReady, this, [this] {
     LightFramePtr frame = worker_.takeFrame();
     if (frame == nullptr) return;
@@ -28,6 +29,7 @@ void Relighting::request() {
   request.scene = document_.scene();
   request.layout = toStd(document_.layout());
   request.luminaires = document_.litLuminaires();
+  request.probes = document_.probes();
   request.revision = ++revision_;
   request.stops_older = !document_.previewing() || document_.selection().size() <= 1;
   if (document_.previewing() && document_.selection().size() == 1) {

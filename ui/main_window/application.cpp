@@ -4,6 +4,7 @@
 #include "ui/main_window/main_window.h"
 #include "ui/widgets/language.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/units.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -37,6 +38,7 @@ int runApplication(int argc, char** argv, const char* version) {
   parser.process(application);
   systemIsDark();  // before the palette is ours
   applyTheme(savedTheme());
+  applyUnits(savedUnits());
   MainWindow window;
   window.show();
   if (!parser.positionalArguments().isEmpty())

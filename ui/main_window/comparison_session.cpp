@@ -162,7 +162,8 @@ void ComparisonSession::takeLook() {
   if (mode() == ComparisonMode::difference) {
     look.false_color = true;
     look.difference = true;
-    look.range = {0.0, 2.0 * range_, false};
+    look.scale = {.range = {0.0, 2.0 * range_, false}};
+    look.levels.clear();
   }
   (void)comparison.second().setLook(look);
 }

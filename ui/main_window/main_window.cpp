@@ -70,6 +70,11 @@ MainWindow::MainWindow()
               dock->raise();
             }
           });
+  connect(workspace_.area, &ViewArea::scaleRequested, workspace_.view, [this] {
+    auto* dock = findChild<QDockWidget*>(QStringLiteral("view"));
+    dock->show();
+    dock->raise();
+  });
   makeMenus();
   resize(kSize.boundedTo(screen()->availableSize() - kFrame));
   const QSettings settings;

@@ -53,6 +53,7 @@ class MainWindow : public QMainWindow {
   void addArrangements(QMenu& menu);
   void addThemes(QMenu& menu);
   void addLanguages(QMenu& menu);
+  void addUnits(QMenu& menu);
   void makeInsertMenu();
   void place(const LuminaireType& type);
   void placeFromPhotometry();

@@ -43,11 +43,26 @@ void MainWindow::makeViewMenu() {
                                    this, [this](bool on) { workspace_.view->setFalseColor(on); });
   forProject(false_color);
   connect(workspace_.view, &ViewPanel::falseColorChanged, false_color, &QAction::setChecked);
+  QAction* isolines = addToggle(menu,
+                                {tr("&Isolux lines"), QKeySequence(Qt::Key_I),
+                                 tr("Lines of equal illuminance, on surfaces or work planes"),
+                                 "Isolux lines"},
+                                this, [this](bool on) { workspace_.view->setIsolines(on); });
+  forProject(isolines);
+  connect(workspace_.view, &ViewPanel::isolinesChanged, isolines, &QAction::setChecked);
+  QAction* values = addToggle(menu,
+                              {tr("Work plane &values"), QKeySequence(Qt::Key_N),
+                               tr("Illuminance in numbers at the points of the work planes"),
+                               "Work plane values"},
+                              this, [this](bool on) { workspace_.view->setValues(on); });
+  forProject(values);
+  connect(workspace_.view, &ViewPanel::valuesChanged, values, &QAction::setChecked);
   forProject(addEntry(menu, {tr("&Brighter"), QKeySequence(tr("Ctrl+Up")), {}, "Brighter"}, this,
                       [this] { workspace_.view->stepExposure(0.25); }));
   forProject(addEntry(menu, {tr("&Darker"), QKeySequence(tr("Ctrl+Down")), {}, "Darker"}, this,
                       [this] { workspace_.view->stepExposure(-0.25); }));
   menu.addSeparator();
+  addUnits(named(menu.addMenu(tr("&Units")), "Units"));
   addThemes(named(menu.addMenu(tr("&Theme")), "Theme"));
   addLanguages(named(menu.addMenu(tr("Lan&guage")), "Language"));
 }

@@ -33,8 +33,8 @@ QStringList layoutNames(const Document& document) {
 }  // namespace
 
 PictureExport::PictureExport(Document& document, Workspace& workspace,
-                             ComparisonSession& comparison)
-    : document_(document), workspace_(workspace), comparison_(comparison) {
+                             ComparisonSession& comparison, const LightMarks& marks)
+    : document_(document), workspace_(workspace), comparison_(comparison), marks_(marks) {
   connect(this, &PictureExport::written, workspace_.log,
           [this](const QString& path) { workspace_.log->addLine(tr("Wrote %1").arg(path)); });
   connect(workspace_.status, &StatusLine::cancelRequested, this, &PictureExport::cancel);
@@ -54,6 +54,7 @@ PictureFile PictureExport::take(const QString& path, const QSize& pixels, const 
   Shot shot;
   shot.pixels = pixels;
   shot.linear = linear;
+  shot.lux = !view.look().levels.empty() && !linear;
   for (const scene::Camera& camera : document_.scene()->cameras) {
     if (toQt(camera.name) == wanted.camera) shot.camera = ViewCamera::from(camera);
   }
@@ -65,6 +66,8 @@ PictureFile PictureExport::take(const QString& path, const QSize& pixels, const 
   PictureFile file;
   file.path = path;
   file.picture = view.take(shot);
+  workspace_.area->marks().paintInto(file.picture, marks_.marksOf(wanted.layout),
+                                     shot.camera.value_or(view.viewCamera()));
   file.look = view.look();
   file.facts = factsOf(document_, wanted.layout, wanted.camera);
   return file;

@@ -4,6 +4,7 @@
 #include "ui/actions/picture_file.h"
 #include "ui/jobs/background.h"
 #include "ui/main_window/comparison_session.h"
+#include "ui/main_window/light_marks.h"
 
 #include <QObject>
 #include <QSize>
@@ -30,7 +31,8 @@ class PictureExport : public QObject {
   Q_OBJECT
 
  public:
-  PictureExport(Document& document, Workspace& workspace, ComparisonSession& comparison);
+  PictureExport(Document& document, Workspace& workspace, ComparisonSession& comparison,
+                const LightMarks& marks);
 
   /// Asks for size, format and file.
   void exportView();
@@ -66,6 +68,7 @@ class PictureExport : public QObject {
   Document& document_;
   Workspace& workspace_;
   ComparisonSession& comparison_;
+  const LightMarks& marks_;
   PictureSet set_;
   std::deque<Wanted> left_;
   int count_ = 0;

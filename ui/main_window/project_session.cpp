@@ -69,7 +69,8 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
                                others.luminairesOf(layout), document_.scene()->mesh->origin);
                          }});
   connect(&others, &OtherLights::ready, &views, &ViewGrid::catchUp);
-  pictures_ = std::make_unique<PictureExport>(document_, workspace_, *comparison_);
+  marks_ = std::make_unique<LightMarks>(document_, relighting_, readings_, workspace_);
+  pictures_ = std::make_unique<PictureExport>(document_, workspace_, *comparison_, *marks_);
   connect(pictures_.get(), &PictureExport::failed, this, [this](const QString& message) {
     showError(workspace_.area->window(), tr("The picture was not written"), message);
   });
@@ -82,6 +83,7 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
 ProjectSession::~ProjectSession() {
   workspace_.area->grid().setOtherLayouts({});
   pictures_.reset();
+  marks_.reset();
   comparison_.reset();
   workspace_.cameras->setDocument(nullptr);
   ViewGrid& views = workspace_.area->grid();
@@ -134,7 +136,8 @@ void ProjectSession::connectView() {
 void ProjectSession::connectPanels() {
   ViewPanel* panel = workspace_.view;
   const auto take_look = [this, panel] {
-    const auto set = workspace_.area->setLook(panel->look());
+    const auto set = workspace_.area->setLook(panel->look(), panel->planeLook().levels,
+                                              panel->planeLook().values);
     if (!set) workspace_.log->addWarning(messageOf(set.error()));
   };
   connect(panel, &ViewPanel::lookChanged, this, take_look);

@@ -7,6 +7,7 @@
 #include "ui/jobs/relighting.h"
 #include "ui/jobs/verification.h"
 #include "ui/main_window/comparison_session.h"
+#include "ui/main_window/light_marks.h"
 #include "ui/main_window/picture_export.h"
 #include "ui/main_window/view_area.h"
 #include "ui/main_window/workspace.h"
@@ -31,6 +32,7 @@ class ProjectSession : public QObject {
   [[nodiscard]] LiveReadings& readings() { return readings_; }
   [[nodiscard]] Verification& verification() { return verification_; }
   [[nodiscard]] ComparisonSession& comparison() { return *comparison_; }
+  [[nodiscard]] LightMarks& marks() { return *marks_; }
   [[nodiscard]] PictureExport& pictures() { return *pictures_; }
   /// In the active view.
   void showCamera(const QString& name);
@@ -61,6 +63,7 @@ class ProjectSession : public QObject {
   Verification verification_;
   Background background_;
   std::unique_ptr<ComparisonSession> comparison_;
+  std::unique_ptr<LightMarks> marks_;
   std::unique_ptr<PictureExport> pictures_;
 };
 

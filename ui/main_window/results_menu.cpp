@@ -17,6 +17,15 @@ void MainWindow::makeResultsMenu() {
                         dock->show();
                         dock->raise();
                       }));
+  forProject(addEntry(menu,
+                      {tr("&Pin a probe"), QKeySequence(Qt::Key_P),
+                       tr("Watches the light at the surface under the cursor"), "Pin a probe"},
+                      this, [this] { session_->marks().pinProbe(); }));
+  forProject(addEntry(menu,
+                      {tr("Pro&file along a line\u2026"), QKeySequence(tr("Shift+P")),
+                       tr("Click two points of a surface: the light between them as a chart"),
+                       "Profile along a line"},
+                      this, [this] { session_->marks().drawProfile(); }));
   forProject(
       addEntry(menu, {tr("&Copy the table"), {}, tr("As text for a spreadsheet"), "Copy the table"},
                this, [this] { workspace_.results->copy(); }));

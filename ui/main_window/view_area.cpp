@@ -15,22 +15,29 @@ ViewArea::ViewArea(QWidget* parent)
       grid_(new ViewGrid(*this)),
       comparison_(new ComparisonView(view(), *this)),
       errors_(new ErrorMap(view())),
+      marks_(new LuxOverlay(view())),
       legend_(new Legend(this)),
+      profile_(new ProfileChart(this)),
       notice_(new QLabel(this)) {
   legend_->hide();
+  profile_->hide();
   notice_->setAttribute(Qt::WA_TransparentForMouseEvents);
   notice_->setAlignment(Qt::AlignCenter);
   notice_->setStyleSheet(QStringLiteral(
       "color: #eef0f4; background: rgba(20, 22, 26, 190); border-radius: 6px; padding: 8px 14px;"));
   notice_->hide();
   setMinimumSize(320, 240);
+  connect(legend_, &Legend::editRequested, this, &ViewArea::scaleRequested);
   connect(comparison_, &ComparisonView::layoutChanged, this, &ViewArea::layOut);
   connect(grid_, &ViewGrid::arrangementChanged, this, &ViewArea::layOut);
 }
 
-Result<void> ViewArea::setLook(const Look& look) {
+Result<void> ViewArea::setLook(const Look& look, const std::vector<double>& levels, bool values) {
   const auto set = grid_->setLook(look);
+  plane_levels_ = levels;
+  plane_values_ = values;
   showLegend();
+  marks_->refresh();
   return set;
 }
 
@@ -45,9 +52,11 @@ void ViewArea::showLegend() {
         [](float place) { return render::differenceColor(2.0F * place - 1.0F); },
         [range = difference_](int most) { return render::differenceTicks(range, most); });
   } else {
-    legend_->setRange(view().look().range);
+    const Look& look = view().look();
+    legend_->setScale(look.scale, look.levels.empty() ? plane_levels_ : look.levels);
   }
-  legend_->setVisible(difference_ > 0.0 || view().look().false_color);
+  legend_->setVisible(difference_ > 0.0 || view().look().false_color || plane_values_ ||
+                      !view().look().levels.empty() || !plane_levels_.empty());
 }
 
 void ViewArea::setNotice(const QString& text) {
@@ -74,6 +83,9 @@ void ViewArea::layOut() {
   const int tall = std::min(legend_->sizeHint().height(), height() - 32);
   legend_->setGeometry(width() - legend_->sizeHint().width() - 16, 16, legend_->sizeHint().width(),
                        tall);
+  profile_->raise();
+  const QSize chart = profile_->sizeHint().boundedTo(size() - QSize(32, 32));
+  profile_->setGeometry(16, height() - chart.height() - 16, chart.width(), chart.height());
   notice_->move((width() - notice_->width()) / 2, (height() - notice_->height()) / 2);
 }
 

@@ -4,15 +4,17 @@
 #include "ui/main_window/comparison_view.h"
 #include "ui/main_window/view_grid.h"
 #include "ui/viewport/error_map.h"
+#include "ui/viewport/lux_overlay.h"
 #include "ui/widgets/legend.h"
+#include "ui/widgets/profile_chart.h"
 
 #include <QLabel>
 #include <QWidget>
 
 namespace soffit::ui {
 
-/// The views with what lies over them: the legend of false colours, and a word while there is no
-/// light yet. A comparison of layouts takes the place of all views but the first.
+/// The views with what lies over them: numbers of light with their legend, and a word while there is
+/// no light yet. A comparison of layouts takes the place of all views but the first.
 class ViewArea : public QWidget {
   Q_OBJECT
 
@@ -30,10 +32,18 @@ class ViewArea : public QWidget {
   [[nodiscard]] ErrorMap& errors() { return *errors_; }
   /// The scale of differences from -range to +range lux in place of the look's; 0: the look's.
   void setDifferenceScale(double range);
+  [[nodiscard]] LuxOverlay& marks() { return *marks_; }
+  [[nodiscard]] ProfileChart& profile() { return *profile_; }
+  [[nodiscard]] Legend& legend() { return *legend_; }
+  /// levels: of the isolux lines on work planes, lux. The legend is there where its scale is used.
   /// Errors: SceneView::setLook()'s.
-  Result<void> setLook(const Look& look);
+  Result<void> setLook(const Look& look, const std::vector<double>& levels, bool values);
   /// Empty: none.
   void setNotice(const QString& text);
+
+ Q_SIGNALS:
+  /// The scale of illuminance is to be edited.
+  void scaleRequested();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -46,7 +56,11 @@ class ViewArea : public QWidget {
   ViewGrid* grid_;
   ComparisonView* comparison_;
   ErrorMap* errors_;
+  LuxOverlay* marks_;
   Legend* legend_;
+  ProfileChart* profile_;
+  std::vector<double> plane_levels_;
+  bool plane_values_ = false;
   double difference_ = 0.0;
   QLabel* notice_;
 };

@@ -54,6 +54,7 @@ Workspace makeWorkspace(QMainWindow& window) {
   w.quality = new QualityPanel;
   w.results = new ResultsPanel;
   w.verify = new VerifyPanel;
+  w.probes = new ProbesPanel;
   w.log = new LogPanel;
   w.history = new QUndoView;
   w.history->setEmptyLabel(tr("As it was opened"));
@@ -84,12 +85,14 @@ Workspace makeWorkspace(QMainWindow& window) {
   QDockWidget* results =
       dock(window, w, Qt::BottomDockWidgetArea, tr("Results"), "results", w.results);
   QDockWidget* verify = dock(window, w, Qt::BottomDockWidgetArea, tr("Verify"), "verify", w.verify);
+  QDockWidget* probes = dock(window, w, Qt::BottomDockWidgetArea, tr("Probes"), "probes", w.probes);
   QDockWidget* log = dock(window, w, Qt::BottomDockWidgetArea, tr("Log"), "log", w.log);
   QDockWidget* history =
       dock(window, w, Qt::BottomDockWidgetArea, tr("History"), "history", w.history);
   window.splitDockWidget(layouts, lights, Qt::Horizontal);
   window.tabifyDockWidget(lights, results);
-  window.tabifyDockWidget(results, verify);
+  window.tabifyDockWidget(results, probes);
+  window.tabifyDockWidget(probes, verify);
   window.tabifyDockWidget(verify, log);
   window.tabifyDockWidget(log, history);
   lights->raise();

@@ -10,6 +10,7 @@
 #include "ui/panels/luminaire_panel.h"
 #include "ui/panels/materials_panel.h"
 #include "ui/panels/mixer_panel.h"
+#include "ui/panels/probes_panel.h"
 #include "ui/panels/quality_panel.h"
 #include "ui/panels/results_panel.h"
 #include "ui/panels/status_line.h"
@@ -36,6 +37,7 @@ struct Workspace {
   QualityPanel* quality = nullptr;
   ResultsPanel* results = nullptr;
   VerifyPanel* verify = nullptr;
+  ProbesPanel* probes = nullptr;
   LogPanel* log = nullptr;
   QUndoView* history = nullptr;  ///< the steps that can be undone; the window says whose
   StatusLine* status = nullptr;

@@ -44,10 +44,10 @@ void DifferenceModel::addRows(const LayoutReading& first, const LayoutReading& s
     const photometry::FieldMetrics& x = a.planes[p].lux;
     const photometry::FieldMetrics& y = b.planes[p].lux;
     const QString plane = toQt(a.planes[p].name);
-    rows.push_back({plane, tr("\u0112m lx"), 1, x.mean, y.mean});
-    rows.push_back({plane, tr("Emin lx"), 1, x.min, y.min});
+    rows.push_back({plane, tr("\u0112m"), 1, x.mean, y.mean, true});
+    rows.push_back({plane, tr("Emin"), 1, x.min, y.min, true});
     rows.push_back({plane, tr("U\u2080"), 2, x.u0, y.u0});
-    rows.push_back({plane, tr("Emax lx"), 1, x.max, y.max});
+    rows.push_back({plane, tr("Emax"), 1, x.max, y.max, true});
   }
   rows.push_back({tr("All"), tr("\u03a6 lm"), 0, a.emitted_lm, b.emitted_lm});
   if (a.lm_per_m2 > 0.0 || b.lm_per_m2 > 0.0) {
@@ -89,17 +89,19 @@ QVariant DifferenceModel::data(const QModelIndex& index, int role) const {
     return QVariant((index.column() < kFirst ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
   }
   if (role != Qt::DisplayRole) return {};
+  const double unit = row.illuminance ? shownUnit(Dimension::illuminance) : 1.0;
   switch (index.column()) {
     case kPlane:
       return row.plane;
     case kQuantity:
-      return row.quantity;
+      return row.illuminance ? row.quantity + QLatin1Char(' ') + unitOf(Dimension::illuminance)
+                             : row.quantity;
     case kFirst:
-      return formatNumber(row.first, row.decimals);
+      return formatNumber(row.first / unit, row.decimals);
     case kSecond:
-      return formatNumber(row.second, row.decimals);
+      return formatNumber(row.second / unit, row.decimals);
     case kDifference:
-      return difference(row.second - row.first, row.decimals);
+      return difference((row.second - row.first) / unit, row.decimals);
     default:
       if (row.first == 0.0) return QStringLiteral("\u2013");
       return difference(100.0 * (row.second / row.first - 1.0), 1);

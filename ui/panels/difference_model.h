@@ -38,6 +38,7 @@ class DifferenceModel : public QAbstractTableModel {
     int decimals = 0;
     double first = 0.0;
     double second = 0.0;
+    bool illuminance = false;  ///< lux, shown in the unit of the display
   };
   void refresh();
   void addRows(const LayoutReading& first, const LayoutReading& second, std::vector<Row>& rows);

@@ -27,7 +27,8 @@ struct ShapeText {
  public:
   QString operator()(const light::PointShape&) const { return tr("Point"); }
   QString operator()(const light::Rectangle& r) const {
-    return tr("Rectangle %1 \u00d7 %2").arg(formatNumber(r.width, 4, 'g'), metres(r.height));
+    return tr("Rectangle %1 \u00d7 %2")
+        .arg(formatNumber(r.width, Dimension::length, 3), metres(r.height));
   }
   QString operator()(const light::Disk& d) const {
     return tr("Disk \u2300 %1").arg(metres(2.0 * d.radius));

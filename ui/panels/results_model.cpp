@@ -17,7 +17,7 @@ namespace {
 const QString kNone = QStringLiteral("\u2013");
 
 QString lux(double value) {
-  return formatNumber(value, value < 100.0 ? 1 : 0);
+  return formatReading(value, Dimension::illuminance);
 }
 
 }  // namespace
@@ -126,9 +126,11 @@ QVariant ResultsModel::headerData(int section, Qt::Orientation orientation, int 
   if (role == Qt::TextAlignmentRole) {
     return QVariant((section <= kPlane ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
   }
-  const QString names[] = {tr("Layout"),  tr("Work plane"), tr("\u0112m lx"), tr("Emin lx"),
-                           tr("U\u2080"), tr("Emax lx"),    tr("\u03a6 lm"),  tr("lm/m\u00b2"),
-                           tr("P W"),     tr("W/m\u00b2")};
+  const QString lx = unitOf(Dimension::illuminance);
+  const QString names[] = {tr("Layout"),          tr("Work plane"), tr("\u0112m %1").arg(lx),
+                           tr("Emin %1").arg(lx), tr("U\u2080"),    tr("Emax %1").arg(lx),
+                           tr("\u03a6 lm"),       tr("lm/m\u00b2"), tr("P W"),
+                           tr("W/m\u00b2")};
   const QString hints[] = {tr("The layout in the view is in bold"),
                            tr("The grid of points that is read"),
                            tr("Mean illuminance (maintenance factor 1)"),

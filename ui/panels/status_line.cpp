@@ -16,7 +16,8 @@ namespace {
 
 constexpr qint64 kBeforeGuessMs = 1500;
 
-QString significant(double value) {
+/// Luminance stays in cd/m^2 everywhere; its numbers are spelled like those of illuminance.
+QString candelas(double value) {
   if (value >= 100.0) return QString::number(std::lround(value));
   return formatNumber(value, 3, 'g');
 }
@@ -106,10 +107,13 @@ void StatusLine::showReading(const std::optional<SurfaceReading>& reading) {
     return;
   }
   const dvec3& p = reading->position;
-  place_->setText(QStringLiteral("%1  %2  %3 m")
-                      .arg(formatNumber(p.x, 2), formatNumber(p.y, 2), formatNumber(p.z, 2)));
-  light_->setText(QStringLiteral("%1 lx   %2 cd/m\u00b2")
-                      .arg(significant(reading->lux), significant(reading->luminance)));
+  const double metre = shownUnit(Dimension::length);
+  place_->setText(QStringLiteral("%1  %2  %3 %4")
+                      .arg(formatNumber(p.x / metre, 2), formatNumber(p.y / metre, 2),
+                           formatNumber(p.z / metre, 2), unitOf(Dimension::length)));
+  light_->setText(QStringLiteral("%1 %2   %3 cd/m\u00b2")
+                      .arg(formatReading(reading->lux, Dimension::illuminance),
+                           unitOf(Dimension::illuminance), candelas(reading->luminance)));
 }
 
 void StatusLine::setVerified(const QString& text) {

@@ -22,6 +22,8 @@ namespace {
 constexpr int kSliderSteps = 20;  // per stop
 constexpr double kMostStops = 8.0;
 constexpr int kExposureWay = 20;
+/// Of the box that says where lines are drawn; the third is both.
+enum LinesOn { kOnSurfaces, kOnPlanes };
 
 void addViews(QComboBox& box) {
   const auto config = color::findDisplayConfig();
@@ -49,14 +51,7 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
   view_ = new QComboBox;
   addViews(*view_);
   view_->setToolTip(tr("OpenColorIO view transform, the same in exported pictures"));
-  false_color_ = new QCheckBox(tr("False colours of illuminance"));
-  range_min_ = new QuantityBox(Dimension::illuminance);
-  range_max_ = new QuantityBox(Dimension::illuminance);
-  for (QuantityBox* box : {range_min_, range_max_}) {
-    box->setRange(0.0, 1e6);
-    box->setSteps(50.0, 1);
-  }
-  logarithmic_ = new QCheckBox(tr("Logarithmic"));
+  makeLightFields();
 
   auto* form = new QFormLayout;
   form->setVerticalSpacing(6);
@@ -69,18 +64,15 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
   view_row->addWidget(automatic);
   form->addRow(tr("View"), view_row);
   form->addRow(false_color_);
-  range_fields_ = new QWidget;
-  auto* range_row = new QHBoxLayout(range_fields_);
-  range_row->setContentsMargins(0, 0, 0, 0);
-  range_row->addWidget(range_min_);
-  range_row->addWidget(new QLabel(QStringLiteral("\u2013")));
-  range_row->addWidget(range_max_);
-  range_row->addStretch(1);
-  form->addRow(range_fields_);
-  form->addRow(logarithmic_);
+  auto* lines_row = new QHBoxLayout;
+  lines_row->addWidget(isolines_);
+  lines_row->addWidget(lines_on_, 1);
+  form->addRow(lines_row);
+  form->addRow(values_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(10, 8, 10, 8);
   layout->addLayout(form);
+  layout->addWidget(scale_);
   layout->addStretch(1);
 
   connect(exposure_slider_, &QSlider::valueChanged, this, [this](int steps) {
@@ -96,24 +88,42 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
     editView(tr("View transform"), [&](scene::View& v) { v.ocio_view = toStd(name); });
   });
   connect(automatic, &QPushButton::clicked, this, &ViewPanel::autoExposureRequested);
-  connect(false_color_, &QCheckBox::toggled, this, [this](bool on) {
-    range_fields_->setVisible(on);
-    logarithmic_->setVisible(on);
-    Q_EMIT falseColorChanged(on);
-    Q_EMIT lookChanged();
-  });
-  connect(range_min_, &QuantityBox::edited, this, &ViewPanel::takeRange);
-  connect(range_max_, &QuantityBox::edited, this, &ViewPanel::takeRange);
-  connect(logarithmic_, &QCheckBox::toggled, this, &ViewPanel::takeRange);
-  range_fields_->hide();
-  logarithmic_->hide();
+  showScale();
   refresh();
+}
+
+void ViewPanel::makeLightFields() {
+  false_color_ = new QCheckBox(tr("False colours of illuminance"));
+  isolines_ = new QCheckBox(tr("Isolux lines"));
+  lines_on_ = new QComboBox;
+  lines_on_->setObjectName(QStringLiteral("lines_on"));
+  lines_on_->addItems({tr("on surfaces"), tr("on work planes"), tr("on both")});
+  lines_on_->setAccessibleName(tr("Where isolux lines are drawn"));
+  values_ = new QCheckBox(tr("Values on work planes"));
+  values_->setToolTip(tr("A number at each point that there is room for"));
+  scale_ = new LuxScaleFields;
+  connect(false_color_, &QCheckBox::toggled, this, &ViewPanel::falseColorChanged);
+  connect(isolines_, &QCheckBox::toggled, this, &ViewPanel::isolinesChanged);
+  connect(values_, &QCheckBox::toggled, this, &ViewPanel::valuesChanged);
+  for (QCheckBox* box : {false_color_, isolines_, values_}) {
+    connect(box, &QCheckBox::toggled, this, [this] {
+      showScale();
+      Q_EMIT lookChanged();
+    });
+  }
+  connect(lines_on_, &QComboBox::activated, this, &ViewPanel::lookChanged);
+  connect(scale_, &LuxScaleFields::changed, this, &ViewPanel::lookChanged);
+}
+
+void ViewPanel::showScale() {
+  lines_on_->setVisible(isolines_->isChecked());
+  scale_->setVisible(false_color_->isChecked() || isolines_->isChecked() || values_->isChecked());
 }
 
 void ViewPanel::setDocument(Document* document) {
   if (document_ != nullptr) document_->disconnect(this);
   document_ = document;
-  range_chosen_ = false;
+  scale_->forgetRange();
   if (document_ != nullptr) connect(document_, &Document::sceneChanged, this, &ViewPanel::refresh);
   refresh();
 }
@@ -133,8 +143,6 @@ void ViewPanel::stepExposure(double stops) {
 
 void ViewPanel::refresh() {
   setEnabled(document_ != nullptr);
-  range_min_->setValue(range_.min);
-  range_max_->setValue(range_.max);
   if (document_ == nullptr) return;
   const scene::View& view = document_->scene()->view;
   {
@@ -157,8 +165,28 @@ Look ViewPanel::look() const {
     if (view.ocio_view == color::kFalseColorView) look.display.view = color::DisplayChoice{}.view;
   }
   look.false_color = false_color_->isChecked();
-  look.range = range_;
+  look.scale = scale_->scale();
+  if (isolines_->isChecked() && lines_on_->currentIndex() != kOnPlanes) {
+    look.levels = scale_->levels();
+  }
   return look;
+}
+
+PlaneLook ViewPanel::planeLook() const {
+  PlaneLook look;
+  look.values = values_->isChecked();
+  if (isolines_->isChecked() && lines_on_->currentIndex() != kOnSurfaces) {
+    look.levels = scale_->levels();
+  }
+  return look;
+}
+
+void ViewPanel::setIsolines(bool on) {
+  isolines_->setChecked(on);
+}
+
+void ViewPanel::setValues(bool on) {
+  values_->setChecked(on);
 }
 
 bool ViewPanel::falseColor() const {
@@ -170,20 +198,7 @@ void ViewPanel::setFalseColor(bool on) {
 }
 
 void ViewPanel::suggestRange(const color::FalseColorRange& range) {
-  if (range_chosen_) return;
-  range_ = range;
-  refresh();
-}
-
-void ViewPanel::takeRange() {
-  color::FalseColorRange range{range_min_->value().value_or(0.0),
-                               range_max_->value().value_or(1000.0), logarithmic_->isChecked()};
-  if (range.logarithmic && range.min <= 0.0) range.min = range.max / 1000.0;
-  if (range.check()) {
-    range_ = range;
-    range_chosen_ = true;
-  }
-  refresh();
+  scale_->suggestRange(range);
 }
 
 }  // namespace soffit::ui

@@ -3,6 +3,7 @@
 
 #include "ui/document/document.h"
 #include "ui/viewport/look.h"
+#include "ui/widgets/lux_scale_fields.h"
 #include "ui/widgets/quantity_box.h"
 
 #include <QWidget>
@@ -13,7 +14,16 @@ class QSlider;
 
 namespace soffit::ui {
 
-/// How light is looked at: exposure and view transform, false colours with their range.
+/// What is shown of the light on work planes.
+struct PlaneLook {
+  bool values = false;         ///< a number at each point
+  std::vector<double> levels;  ///< of isolux lines, lux; empty: none
+
+  [[nodiscard]] bool any() const { return values || !levels.empty(); }
+};
+
+/// How light is looked at: exposure and view transform; false colours, isolux lines and values of
+/// work planes on one scale.
 class ViewPanel : public QWidget {
   Q_OBJECT
 
@@ -24,32 +34,37 @@ class ViewPanel : public QWidget {
   [[nodiscard]] Look look() const;
   [[nodiscard]] bool falseColor() const;
   void setFalseColor(bool on);
-  /// A range for false colours that the user has not chosen: used until one is.
+  [[nodiscard]] PlaneLook planeLook() const;
+  [[nodiscard]] color::LuxScale scale() const { return scale_->scale(); }
+  void setIsolines(bool on);
+  void setValues(bool on);
+  /// A range of the scale that the user has not chosen: used until one is.
   void suggestRange(const color::FalseColorRange& range);
   void stepExposure(double stops);
 
  Q_SIGNALS:
   void lookChanged();
   void falseColorChanged(bool on);
+  void isolinesChanged(bool on);
+  void valuesChanged(bool on);
   void autoExposureRequested();
 
  private:
   void refresh();
   void editView(const QString& text, const std::function<void(scene::View&)>& change,
                 int merge_key = -1);
-  void takeRange();
+  void makeLightFields();
+  void showScale();
 
   Document* document_ = nullptr;
   QSlider* exposure_slider_;
   QuantityBox* exposure_;
   QComboBox* view_;
   QCheckBox* false_color_;
-  QuantityBox* range_min_;
-  QuantityBox* range_max_;
-  QCheckBox* logarithmic_;
-  QWidget* range_fields_;
-  color::FalseColorRange range_{0.0, 1000.0, false};
-  bool range_chosen_ = false;
+  QCheckBox* isolines_;
+  QComboBox* lines_on_;
+  QCheckBox* values_;
+  LuxScaleFields* scale_;
 };
 
 }  // namespace soffit::ui

@@ -6,6 +6,7 @@
 #include "core/color/exposure.h"
 #include "core/render/difference_picture.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace soffit::ui {
@@ -31,13 +32,56 @@ uniform float scale;
 uniform int false_color;
 uniform vec2 range;
 uniform int logarithmic;
-uniform int difference;
-uniform vec3 scale_colors[9];
+uniform int steps;
+uniform vec3 map_colors[33];
+uniform int level_count;
+uniform float levels[32];
+uniform float line_width;
+uniform float lamp;
 vec3 cleaned(vec3 c) { return vec3(c.r > 0.0 ? min(c.r, 1.0e6) : 0.0, c.g > 0.0 ? min(c.g, 1.0e6) : 0.0,
                                    c.b > 0.0 ? min(c.b, 1.0e6) : 0.0); }
 float place(float lux) {
   if (logarithmic == 0) return clamp((lux - range.x) / (range.y - range.x), 0.0, 1.0);
   return lux <= range.x ? 0.0 : clamp(log(lux / range.x) / log(range.y / range.x), 0.0, 1.0);
+}
+// As color::LuxScale.
+vec3 colorAt(float place) {
+  float n = float(steps);
+  if (steps > 1) place = min(floor(place * n), n - 1.0) / (n - 1.0);
+  float x = place * 32.0;
+  int below = int(min(x, 31.0));
+  return mix(map_colors[below], map_colors[below + 1], x - float(below));
+}
+// The step of a surface's light to its next pixels along one way. A pixel beyond an edge is told
+// by a step that is much larger than the other; where both are the surface's own, their mean.
+float slope(float before, float here, float after) {
+  float a = before < 0.0 ? 1.0e30 : here - before;
+  float b = after < 0.0 ? 1.0e30 : after - here;
+  float small = min(abs(a), abs(b));
+  float large = max(abs(a), abs(b));
+  if (small > 1.0e29) return 0.0;
+  return large > 4.0 * small + 1.0e-4 * here ? small : abs(0.5 * (a + b));
+}
+// x: how far (pixels) the next isolux line is, y: how far the levels about the pixel lie apart, z:
+// the level.
+vec3 nextLine(float here) {
+  ivec2 p = ivec2(gl_FragCoord.xy);
+  ivec2 last = textureSize(source, 0) - 1;
+  vec2 g = vec2(slope(texelFetch(source, ivec2(max(p.x - 1, 0), p.y), 0).a, here,
+                      texelFetch(source, ivec2(min(p.x + 1, last.x), p.y), 0).a),
+                slope(texelFetch(source, ivec2(p.x, max(p.y - 1, 0)), 0).a, here,
+                      texelFetch(source, ivec2(p.x, min(p.y + 1, last.y)), 0).a));
+  float below = -1.0e30;
+  float above = 1.0e30;
+  for (int i = 0; i < level_count; ++i) {
+    if (levels[i] <= here) below = levels[i];
+    else above = min(above, levels[i]);
+  }
+  float level = here - below < above - here ? below : above;
+  // Even light on a level is no line.
+  float rise = length(g);
+  if (rise < 1.0e-5 * abs(level)) return vec3(1.0e30, 1.0e30, level);
+  return vec3(abs(here - level) / rise, (above - below) / rise, level);
 }
 )";
 
@@ -45,18 +89,26 @@ constexpr const char* kTail = R"(
 void main() {
   vec4 pixel = texture(source, at);
   vec3 shown;
-  if (difference == 1) {
-    float at = place(pixel.a) * 8.0;
-    int below = int(min(at, 7.0));
-    shown = mix(scale_colors[below], scale_colors[below + 1], at - float(below));
+  if (false_color == 1) {
+    shown = colorAt(place(pixel.a));
     if (pixel.a < -1.5) shown = vec3(0.13);
-    else if (pixel.a < -0.5) shown = vec3(0.55);
-  } else if (false_color == 1) {
-    shown = soffitView(vec4(vec3(place(pixel.a)), 1.0)).rgb;
-    if (pixel.a < -1.5) shown = vec3(0.13);
-    else if (pixel.a < -0.5) shown = vec3(0.97);
+    else if (pixel.a < -0.5) shown = vec3(lamp);
   } else {
-    shown = soffitView(vec4(cleaned(pixel.rgb * scale), 1.0)).rgb;
+    shown = clamp(soffitView(vec4(cleaned(pixel.rgb * scale), 1.0)).rgb, 0.0, 1.0);
+  }
+  if (level_count > 0 && pixel.a >= 0.0) {
+    vec3 line = nextLine(pixel.a);
+    // Lines that would lie on one another fade.
+    float room = clamp(0.25 * line.y - 0.75, 0.0, 1.0);
+    float cover = room * clamp(0.5 * line_width + 0.5 - line.x, 0.0, 1.0);
+    if (false_color == 1) {
+      float light = dot(shown, vec3(0.2126, 0.7152, 0.0722));
+      shown = mix(shown, light > 0.4 ? vec3(0.05) : vec3(0.95), 0.85 * cover);
+    } else {
+      float casing = room * clamp(1.1 * line_width + 0.5 - line.x, 0.0, 1.0);
+      shown = mix(shown, vec3(0.05), 0.6 * casing);
+      shown = mix(shown, colorAt(place(line.z)), cover);
+    }
   }
   color = vec4(clamp(shown, 0.0, 1.0), 1.0);
 }
@@ -70,8 +122,12 @@ uniform float opacity;
 void main() { color = vec4(texture(source, at).rgb, opacity); }
 )";
 
+/// Lines as wide as the picture asks for: 1.5 pixels on a screen, more in a print.
+float lineWidth(int height) {
+  return std::max(1.5F, static_cast<float>(height) / 700.0F);
+}
+
 bool sameView(const Look& a, const Look& b) {
-  if (a.false_color || b.false_color) return a.false_color == b.false_color;
   return a.display.config == b.display.config && a.display.display == b.display.display &&
          a.display.view == b.display.view && a.display.look == b.display.look;
 }
@@ -83,12 +139,7 @@ Result<void> DisplayDrawing::setLook(const Look& look) {
     look_ = look;
     return {};
   }
-  color::DisplayChoice choice = look.display;
-  if (look.false_color) {
-    choice.view = color::kFalseColorView;
-    choice.look.clear();
-  }
-  auto shader = color::makeDisplayShader(choice);
+  auto shader = color::makeDisplayShader(look.display);
   if (!shader) return shader.error();
   shader_ = std::move(*shader);
   look_ = look;
@@ -132,15 +183,32 @@ void DisplayDrawing::draw(const GlTarget& scene_linear) {
   }
   program_.set("scale", color::exposureScale(look_.exposure_ev));
   program_.set("false_color", look_.false_color ? 1 : 0);
-  program_.set("range", vec2(dvec2(look_.range.min, look_.range.max)));
-  program_.set("logarithmic", look_.range.logarithmic ? 1 : 0);
-  program_.set("difference", look_.difference ? 1 : 0);
-  // The map is linear between nine colors, evenly spaced from -1 to 1.
-  for (int i = 0; look_.difference && i < 9; ++i) {
-    const std::string name = "scale_colors[" + std::to_string(i) + "]";
-    program_.set(name.c_str(), render::differenceColor(0.25F * static_cast<float>(i) - 1.0F));
-  }
+  program_.set("range", vec2(dvec2(look_.scale.range.min, look_.scale.range.max)));
+  program_.set("logarithmic", look_.scale.range.logarithmic ? 1 : 0);
+  setScale(scene_linear.height());
   drawTriangle();
+}
+
+void DisplayDrawing::setScale(int height) {
+  program_.set("lamp", look_.difference ? 0.55F : 0.97F);
+  program_.set("steps", look_.difference ? 0 : look_.scale.steps);
+  program_.set("line_width", lineWidth(height));
+  const auto element = [](const char* name, std::size_t i) {
+    return std::string(name) + "[" + std::to_string(i) + "]";
+  };
+  const bool mapped = look_.false_color || !look_.levels.empty();
+  for (std::size_t i = 0; mapped && i < color::kColorMapPoints; ++i) {
+    // Differences are linear between nine colors, evenly spaced from -1 to 1: among these, too.
+    const float place = static_cast<float>(i) / static_cast<float>(color::kColorMapPoints - 1);
+    program_.set(element("map_colors", i).c_str(),
+                 look_.difference ? render::differenceColor(2.0F * place - 1.0F)
+                                  : color::colorMapAt(look_.scale.map, place));
+  }
+  const std::size_t count = std::min(look_.levels.size(), color::kMostLevels);
+  program_.set("level_count", static_cast<int>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    program_.set(element("levels", i).c_str(), static_cast<float>(look_.levels[i]));
+  }
 }
 
 void DisplayDrawing::copy(const GlTarget& picture, float opacity) {

@@ -24,6 +24,7 @@ class DisplayDrawing {
 
  private:
   void build();
+  void setScale(int height);
   void drawTriangle();
 
   Look look_;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/color/display_transform.h"
-#include "core/color/false_color.h"
+#include "core/color/lux_scale.h"
+
+#include <vector>
 
 namespace soffit::ui {
 
@@ -10,10 +12,12 @@ namespace soffit::ui {
 struct Look {
   color::DisplayChoice display;  ///< used unless false_color
   double exposure_ev = 0.0;      ///< ignored by false colour
-  bool false_color = false;      ///< illuminance by colour, in the range
-  color::FalseColorRange range;
+  bool false_color = false;      ///< illuminance by colour, on the scale
+  color::LuxScale scale;
+  /// Isolux lines are drawn on all surfaces at these values, lux, ascending; empty: none.
+  std::vector<double> levels;
   /// Takes the false colours of a difference (render::differenceColor) with grey luminaires, over
-  /// `range`; light that is a difference is made by differenceLight().
+  /// the scale's range; light that is a difference is made by differenceLight().
   bool difference = false;
 
   friend bool operator==(const Look&, const Look&) = default;

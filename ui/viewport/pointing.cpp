@@ -125,6 +125,17 @@ QStringList luminairesIn(const Pointable& things, const ViewCamera& camera, cons
   return names;
 }
 
+bool isSeen(const Pointable& things, const ViewCamera& camera, const dvec3& place) {
+  const dvec3 eye = camera.eyeFor(place);
+  const double distance = glm::length(place - eye);
+  if (camera.isParallel() && distance < camera.cut_depth) return false;
+  if (things.scene == nullptr || things.frame == nullptr || distance <= 0.0) return true;
+  const dvec3 origin = things.scene->mesh->origin;
+  const auto surface = readSurface(*things.frame, *things.scene,
+                                   rayBeyondCut(eye, camera.sightTo(place), camera, origin));
+  return !surface || glm::length(surface->position - eye) > distance * (1.0 - kSlack) - kSlack;
+}
+
 Surroundings surroundingsOf(const scene::Scene& scene, const LightFramePtr& frame,
                             const EmitterSet* luminaires, const QStringList& moving) {
   Surroundings around;

@@ -38,6 +38,10 @@ PointedAt pointAt(const Pointable& things, const ViewCamera& camera, const dvec2
 QStringList luminairesIn(const Pointable& things, const ViewCamera& camera, const dvec2& size,
                          const QRectF& band);
 
+/// Whether no surface that is drawn lies between the eye and a place, world; walls seen from outside
+/// are not drawn, nor is what a view cuts away. Before there is light, everything is seen.
+bool isSeen(const Pointable& things, const ViewCamera& camera, const dvec3& place);
+
 /// Surfaces and the luminaires that are not `moving`.
 Surroundings surroundingsOf(const scene::Scene& scene, const LightFramePtr& frame,
                             const EmitterSet* luminaires, const QStringList& moving);

@@ -72,6 +72,11 @@ class SceneView : public VtkView {
   void setGizmoHighlight(GizmoPart part);
   /// The last picture without view transform, cd/m^2; empty before there is light.
   [[nodiscard]] std::vector<vec3> readLinear();
+  /// The illuminance of the surfaces in the last picture; empty before there is light.
+  [[nodiscard]] render::LuxPicture readLux();
+  /// Whether nothing that is drawn lies between the eye and a place (world); luminaires do not
+  /// hide anything.
+  [[nodiscard]] bool isSeen(const ViewCamera& camera, const dvec3& place) const;
   /// Another picture of the building than the one on the screen; that stays as it is. Without an
   /// image before there is light, and for light of another solver.
   Picture take(const Shot& shot);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SceneView::take(): pictures other than the one on the screen.
+// What is read of a view's pictures, and pictures other than the one on the screen.
 #include "ui/viewport/picture_pass.h"
 #include "ui/viewport/scene_view.h"
 
@@ -24,7 +24,31 @@ void addLinear(const std::vector<float>& pixels, int width, int height, float sh
   }
 }
 
+render::LuxPicture luxOf(const PicturePass& pass) {
+  render::LuxPicture picture;
+  const auto pixels = pass.readLinear(picture.width, picture.height);
+  picture.lux.reserve(pixels.size() / 4);
+  const auto width = static_cast<std::size_t>(picture.width);
+  for (auto row = static_cast<std::size_t>(picture.height); row-- > 0;) {
+    for (std::size_t x = 0; x < width; ++x)
+      picture.lux.push_back(pixels[4 * (row * width + x) + 3]);
+  }
+  return picture;
+}
+
 }  // namespace
+
+render::LuxPicture SceneView::readLux() {
+  if (!isValid() || mesh_ == nullptr) return {};
+  makeCurrent();
+  render::LuxPicture picture = luxOf(pass());
+  doneCurrent();
+  return picture;
+}
+
+bool SceneView::isSeen(const ViewCamera& camera, const dvec3& place) const {
+  return ui::isSeen(pointable(), camera, place);
+}
 
 Picture SceneView::take(const Shot& shot) {
   const bool own_light = shot.frame == nullptr;
@@ -44,6 +68,8 @@ Picture SceneView::take(const Shot& shot) {
   const int samples = shot.samples > 0 ? std::min(shot.samples, PicturePass::kMostSamples)
                                        : PicturePass::kMostSamples;
   const auto collect = [&] {
+    // The first sample lies in the middle of the pixel.
+    if (shot.lux && taken.lux.lux.empty()) taken.lux = luxOf(pass());
     if (!shot.linear) return;
     int width = 0;
     int height = 0;

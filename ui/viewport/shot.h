@@ -5,6 +5,7 @@
 #include "ui/viewport/look.h"
 #include "ui/viewport/view_camera.h"
 
+#include "core/render/line_labels.h"
 #include "ui/jobs/light_frame.h"
 
 #include <QImage>
@@ -26,11 +27,13 @@ struct Shot {
   std::optional<Look> look;
   int samples = 0;      ///< per pixel; 0: as many as a view at rest
   bool linear = false;  ///< also the light itself
+  bool lux = false;     ///< also the illuminance of surfaces
 };
 
 struct Picture {
   QImage image;              ///< through the view transform, RGB888; null where there was no light
   std::vector<vec3> linear;  ///< cd/m^2, mean over the samples, the top row first; if asked for
+  render::LuxPicture lux;    ///< of the middle of each pixel; if asked for
 };
 
 }  // namespace soffit::ui

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ui/widgets/quantity.h"
 
+#include "ui/widgets/units.h"
+
 #include <QLocale>
 #include <QRegularExpression>
 
@@ -34,11 +36,11 @@ constexpr std::array kUnits{Unit{"m", Dimension::length, 1.0},
                             Unit{"lx", Dimension::illuminance, 1.0},
                             Unit{"lux", Dimension::illuminance, 1.0},
                             Unit{"klx", Dimension::illuminance, 1000.0},
-                            Unit{"fc", Dimension::illuminance, 10.763910416709722},
+                            Unit{"fc", Dimension::illuminance, color::kLuxPerFootcandle},
                             Unit{"ev", Dimension::exposure, 1.0}};
 
 std::optional<double> factorOf(const QString& unit, Dimension dimension) {
-  if (unit.isEmpty()) return dimension == Dimension::share ? 0.01 : 1.0;
+  if (unit.isEmpty()) return shownUnit(dimension);
   for (const Unit& u : kUnits) {
     if (u.dimension == dimension && unit == QString::fromUtf8(u.name)) return u.factor;
   }
@@ -47,10 +49,18 @@ std::optional<double> factorOf(const QString& unit, Dimension dimension) {
 
 }  // namespace
 
+double shownUnit(Dimension dimension) {
+  if (dimension == Dimension::share) return 0.01;
+  if (shownUnits() == Units::metric) return 1.0;
+  if (dimension == Dimension::length) return kMetresPerFoot;
+  return dimension == Dimension::illuminance ? color::kLuxPerFootcandle : 1.0;
+}
+
 QString unitOf(Dimension dimension) {
+  const bool imperial = shownUnits() == Units::imperial;
   switch (dimension) {
     case Dimension::length:
-      return QStringLiteral("m");
+      return imperial ? QStringLiteral("ft") : QStringLiteral("m");
     case Dimension::angle:
       return QStringLiteral("\u00b0");
     case Dimension::flux:
@@ -60,7 +70,7 @@ QString unitOf(Dimension dimension) {
     case Dimension::share:
       return QStringLiteral("%");
     case Dimension::illuminance:
-      return QStringLiteral("lx");
+      return imperial ? QStringLiteral("fc") : QStringLiteral("lx");
     case Dimension::exposure:
       return QStringLiteral("EV");
   }
@@ -104,8 +114,11 @@ QString formatNumber(double value, int precision, char format) {
   return locale.toString(value, format, precision);
 }
 
-QString formatQuantity(double value, Dimension dimension, int decimals) {
-  const double shown = dimension == Dimension::share ? 100.0 * value : value;
+QString formatNumber(double value, Dimension dimension, int decimals) {
+  const bool coarse = dimension == Dimension::illuminance && shownUnits() == Units::imperial;
+  if (coarse) ++decimals;
+  // Times 100 rather than by 0.01: shares of whole percents stay whole.
+  const double shown = dimension == Dimension::share ? 100.0 * value : value / shownUnit(dimension);
   QString number = formatNumber(shown, decimals);
   const QString mark = QLocale().decimalPoint();
   if (number.contains(mark)) {
@@ -113,6 +126,18 @@ QString formatQuantity(double value, Dimension dimension, int decimals) {
     if (number.endsWith(mark)) number.chop(mark.size());
   }
   if (number == QLatin1String("-0")) number = QStringLiteral("0");
+  return number;
+}
+
+QString formatReading(double value, Dimension dimension) {
+  const double shown = value / shownUnit(dimension);
+  if (shown == 0.0) return QStringLiteral("0");
+  if (shown >= 99.95) return formatNumber(shown, 0);
+  return formatNumber(shown, shown >= 9.995 ? 1 : 2);
+}
+
+QString formatQuantity(double value, Dimension dimension, int decimals) {
+  const QString number = formatNumber(value, dimension, decimals);
   const QString gap = dimension == Dimension::angle ? QString() : QStringLiteral("\u00a0");
   return number + gap + unitOf(dimension);
 }

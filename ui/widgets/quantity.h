@@ -20,7 +20,7 @@ enum class Dimension {
   exposure /* EV */
 };
 
-/// "m", "°", "lm", "K", "%", "lx", "EV".
+/// "m", "°", "lm", "K", "%", "lx", "EV"; "ft" and "fc" where imperial units are shown (units.h).
 QString unitOf(Dimension dimension);
 
 /// The value of a text, with point or comma in every language: `1200`, `1200 lm`, `1.2 klm`, `3,2
@@ -33,7 +33,16 @@ std::optional<double> parseQuantity(QStringView text, Dimension dimension);
 /// language and without marks between thousands.
 QString formatNumber(double value, int precision, char format = 'f');
 
-/// Shown: at most `decimals` places, no trailing zeros, with the unit.
+/// What one shown unit is in the unit that values are kept in: 0.3048 where feet are shown.
+double shownUnit(Dimension dimension);
+
+/// Shown: at most `decimals` places of the kept unit, no trailing zeros, with the unit. Footcandles
+/// get one place more.
 QString formatQuantity(double value, Dimension dimension, int decimals);
+/// The same without the unit.
+QString formatNumber(double value, Dimension dimension, int decimals);
+
+/// A reading for people: whole numbers from 100 on, three digits below; without the unit.
+QString formatReading(double value, Dimension dimension);
 
 }  // namespace soffit::ui

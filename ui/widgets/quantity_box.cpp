@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ui/widgets/quantity_box.h"
 
+#include "ui/widgets/units.h"
+
 #include <QLineEdit>
 #include <QWheelEvent>
 
@@ -67,8 +69,20 @@ void QuantityBox::takeText() {
 
 void QuantityBox::stepBy(int steps) {
   takeText();
-  give(value_.value_or(0.0) + steps * step_);
+  give(value_.value_or(0.0) + steps * shownStep());
   lineEdit()->selectAll();
+}
+
+/// A tenth of a metre becomes a tenth of a foot, 50 lx become 5 fc: round numbers stay round.
+double QuantityBox::shownStep() const {
+  if (shownUnits() == Units::metric) return step_;
+  if (dimension_ == Dimension::illuminance) return 0.1 * step_ * shownUnit(dimension_);
+  return dimension_ == Dimension::length ? step_ * shownUnit(dimension_) : step_;
+}
+
+void QuantityBox::changeEvent(QEvent* event) {
+  QAbstractSpinBox::changeEvent(event);
+  if (event->type() == QEvent::LocaleChange) showValue();
 }
 
 QAbstractSpinBox::StepEnabled QuantityBox::stepEnabled() const {
@@ -88,7 +102,7 @@ void QuantityBox::wheelEvent(QWheelEvent* event) {
 
 QSize QuantityBox::sizeHint() const {
   QSize size = QAbstractSpinBox::sizeHint();
-  size.setWidth(fontMetrics().horizontalAdvance(QStringLiteral("-00.000 m")) + 34);
+  size.setWidth(fontMetrics().horizontalAdvance(QStringLiteral("-00.000 ft")) + 34);
   return size;
 }
 

@@ -38,11 +38,13 @@ class QuantityBox : public QAbstractSpinBox {
  protected:
   [[nodiscard]] StepEnabled stepEnabled() const override;
   void wheelEvent(QWheelEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void takeText();
   void showValue();
   void give(double value);
+  [[nodiscard]] double shownStep() const;
 
   Dimension dimension_;
   std::optional<double> value_;

@@ -73,7 +73,7 @@ class ComparisonTest : public QObject {
     const LightFramePtr a = fixture_->window->session()->relighting().frame();
     const LightFramePtr b = comparison().lights().frame(comparison().other());
     QTRY_VERIFY(second().look().difference);
-    QCOMPARE(second().look().range.max, 2.0 * fittingDifference(*a, *b));
+    QCOMPARE(second().look().scale.range.max, 2.0 * fittingDifference(*a, *b));
     // Wide enough that nothing is cut: what is cut at a vertex shows in the pixels around it.
     double range = 1.0;
     for (std::size_t s = 0; s < a->lux[1].size(); ++s) {
@@ -82,7 +82,7 @@ class ComparisonTest : public QObject {
       }
     }
     Q_EMIT fixture_->window->workspace().area->comparison().bar().rangeChosen(range);
-    QCOMPARE(second().look().range.max, 2.0 * range);
+    QCOMPARE(second().look().scale.range.max, 2.0 * range);
     const QImage shown = pictureOf(second(), {320, 200});
     // The same view of both, read as lux.
     const auto lux_a = luxOf(fixture_->view(), a, second().luminaires());

@@ -130,7 +130,7 @@ class SceneViewTest : public QObject {
   void falseColoursEqualTheMapWithinOneCodeValue() {
     Look look;
     look.false_color = true;
-    look.range = {0.0, 400.0, false};
+    look.scale.range = {0.0, 400.0, false};
     QVERIFY(view_->setLook(look).ok());
     const QImage shown = view_->picture({640, 400}, false, 1);
     view_->makeCurrent();
@@ -144,13 +144,96 @@ class SceneViewTest : public QObject {
       const float lux = linear[4 * static_cast<std::size_t>(i) + 3];
       if (lux < 0.0F) continue;
       ++surfaces;
-      const vec3 e = color::falseColor(lux, look.range);
+      const vec3 e = look.scale.color(lux);
       const uchar* p = shown.constScanLine(399 - i / 640) + 3 * (i % 640);
       for (int c = 0; c < 3; ++c)
         most = std::max(most, std::abs(static_cast<int>(std::lround(255.0F * e[c])) - int{p[c]}));
     }
     QVERIFY2(most <= 1, qPrintable(QString::number(most)));
     QVERIFY(surfaces > 640 * 400 / 4);
+  }
+
+  /// Lines run where the light takes their level, all of it, and are as wide everywhere.
+  void isoluxLinesLieOnTheirLevels() {
+    Look look;
+    look.false_color = true;
+    look.scale.range = {0.0, 400.0, false};
+    QVERIFY(view_->setLook(look).ok());
+    const QImage plain = view_->picture({640, 400}, false, 1);
+    look.levels = {60.0, 120.0, 240.0};
+    QVERIFY(view_->setLook(look).ok());
+    const QImage lined = view_->picture({640, 400}, false, 1);
+    const render::LuxPicture light = view_->readLux();
+    QCOMPARE(light.width, 640);
+    const auto lux = [&](int x, int y) { return light.lux[static_cast<std::size_t>(y * 640 + x)]; };
+    const auto inked = [&](int x, int y) {
+      const QRgb a = plain.pixel(x, y);
+      const QRgb b = lined.pixel(x, y);
+      return std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b)) +
+                 std::abs(qBlue(a) - qBlue(b)) >
+             60;
+    };
+    int ink = 0;
+    int stray = 0;
+    int crossings = 0;
+    int missed = 0;
+    for (int y = 3; y < 397; ++y) {
+      for (int x = 3; x < 637; ++x) {
+        if (lux(x, y) < 0.0F) continue;
+        bool near = false;
+        for (int v = -2; v <= 2; ++v) {
+          for (int u = -2; u <= 2; ++u) {
+            for (const double level : look.levels) {
+              near = near || (static_cast<double>(lux(x, y)) < level) !=
+                                 (static_cast<double>(lux(x + u, y + v)) < level);
+            }
+          }
+        }
+        ink += inked(x, y) ? 1 : 0;
+        stray += inked(x, y) && !near ? 1 : 0;
+        // A gentle slope through a level, on one surface.
+        const float slope = lux(x + 1, y) - lux(x, y);
+        const float more = lux(x + 2, y) - lux(x - 1, y);
+        if (std::abs(slope) > 4.0F || std::abs(more - 3.0F * slope) > 0.5F * std::abs(slope))
+          continue;
+        for (const double level : look.levels) {
+          if ((static_cast<double>(lux(x, y)) < level) ==
+              (static_cast<double>(lux(x + 1, y)) < level))
+            continue;
+          ++crossings;
+          missed += inked(x, y) || inked(x + 1, y) ? 0 : 1;
+        }
+      }
+    }
+    QVERIFY2(ink > 300, qPrintable(QString::number(ink)));
+    QVERIFY2(crossings > 50, qPrintable(QString::number(crossings)));
+    // Kinks of the mesh, where slopes are guessed.
+    QVERIFY2(stray < ink / 50, qPrintable(QString::number(stray)));
+    QVERIFY2(missed < crossings / 20, qPrintable(QString::number(missed)));
+  }
+
+  void stepsAndColoursEqualTheScalesWithinOneCodeValue() {
+    Look look;
+    look.false_color = true;
+    look.scale = {.range = {0.0, 400.0, false}, .map = color::ColorMap::spectrum, .steps = 8};
+    QVERIFY(view_->setLook(look).ok());
+    const QImage shown = view_->picture({640, 400}, false, 1);
+    const render::LuxPicture light = view_->readLux();
+    int unlike = 0;
+    int surfaces = 0;
+    for (int i = 0; i < 640 * 400; ++i) {
+      const float lux = light.lux[static_cast<std::size_t>(i)];
+      if (lux < 0.0F) continue;
+      ++surfaces;
+      const vec3 e = look.scale.color(lux);
+      const uchar* p = shown.constScanLine(i / 640) + 3 * (i % 640);
+      int most = 0;
+      for (int c = 0; c < 3; ++c)
+        most = std::max(most, std::abs(static_cast<int>(std::lround(255.0F * e[c])) - int{p[c]}));
+      unlike += most > 1 ? 1 : 0;
+    }
+    // A value on the border of a step may fall to either side by rounding.
+    QVERIFY2(unlike < surfaces / 2000, qPrintable(QString::number(unlike)));
   }
 
   void theCursorReadsWhatIsShown() {

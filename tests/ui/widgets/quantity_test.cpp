@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "ui/widgets/quantity.h"
+#include "ui/widgets/lux_scale_fields.h"
 #include "ui/widgets/quantity_box.h"
+#include "ui/widgets/units.h"
 
+#include <QCheckBox>
 #include <QLineEdit>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTest>
 
 namespace soffit::ui {
@@ -90,6 +94,64 @@ class QuantityTest : public QObject {
     QTest::keyClick(&box, Qt::Key_Return);
     QCOMPARE(edits.count(), 0);
     QCOMPARE(line->text(), QStringLiteral("1000\u00a0lm"));
+  }
+
+  void imperialUnitsAreThoseOfTheDisplayAlone() {
+    applyUnits(Units::imperial);
+    QCOMPARE(formatQuantity(0.3048, Dimension::length, 3), QStringLiteral("1\u00a0ft"));
+    QCOMPARE(formatQuantity(500.0, Dimension::illuminance, 1), QStringLiteral("46.45\u00a0fc"));
+    QCOMPARE(formatQuantity(1200.0, Dimension::flux, 0), QStringLiteral("1200\u00a0lm"));
+    QCOMPARE(*parseQuantity(QStringLiteral("10"), Dimension::length), 3.048);
+    QCOMPARE(*parseQuantity(QStringLiteral("2 m"), Dimension::length), 2.0);
+    QuantityBox box(Dimension::length);
+    box.setSteps(0.1, 3);
+    box.setValue(3.048);
+    box.stepBy(1);
+    QVERIFY(std::abs(*box.value() - 3.07848) < 1e-12);  // a tenth of a foot; round-off
+    box.setValue(3.048);
+    applyUnits(Units::metric);
+    QCOMPARE(box.findChild<QLineEdit*>()->text(), QStringLiteral("3.048\u00a0m"));
+    QCOMPARE(*box.value(), 3.048);
+  }
+
+  void readingsHaveThreeDigits() {
+    QCOMPARE(formatReading(1234.4, Dimension::illuminance), QStringLiteral("1234"));
+    QCOMPARE(formatReading(99.96, Dimension::illuminance), QStringLiteral("100"));
+    QCOMPARE(formatReading(20.24, Dimension::illuminance), QStringLiteral("20.2"));
+    QCOMPARE(formatReading(9.996, Dimension::illuminance), QStringLiteral("10.0"));
+    QCOMPARE(formatReading(0.5, Dimension::illuminance), QStringLiteral("0.50"));
+    QCOMPARE(formatReading(0.0, Dimension::illuminance), QStringLiteral("0"));
+  }
+
+  void levelsAreListedAsPeopleListThem() {
+    QCOMPARE(parseLevels(QStringLiteral("300, 500 750")), (std::vector{300.0, 500.0, 750.0}));
+    QCOMPARE(parseLevels(QStringLiteral("1 klx; 7.5 lx")), (std::vector{7.5, 1000.0}));
+    QCOMPARE(parseLevels(QStringLiteral("none, 0")), std::vector<double>{});
+  }
+
+  void theScaleFollowsTheLightUntilItIsSet() {
+    LuxScaleFields fields;
+    QSignalSpy changes(&fields, &LuxScaleFields::changed);
+    fields.suggestRange({0.0, 300.0});
+    QCOMPARE(fields.scale().range.max, 300.0);
+    QCOMPARE(fields.levels().back(), 300.0);
+    auto* most = fields.findChildren<QuantityBox*>()[1];
+    most->findChild<QLineEdit*>()->setText(QStringLiteral("750 lx"));
+    QTest::keyClick(most, Qt::Key_Return);
+    fields.suggestRange({0.0, 200.0});
+    QCOMPARE(fields.scale().range.max, 750.0);
+    fields.forgetRange();
+    fields.suggestRange({0.0, 200.0});
+    QCOMPARE(fields.scale().range.max, 200.0);
+    QCOMPARE(changes.count(), 3);
+    // A logarithmic scale cannot start at 0.
+    fields.findChild<QCheckBox*>()->setChecked(true);
+    QVERIFY(fields.scale().range.min > 0.0 && fields.scale().range.logarithmic);
+    auto* steps = fields.findChild<QSpinBox*>();
+    steps->stepBy(1);
+    QCOMPARE(fields.scale().steps, 2);
+    steps->stepBy(-1);
+    QCOMPARE(fields.scale().steps, 0);
   }
 
   void aBoxStaysInItsRange() {
