@@ -199,6 +199,13 @@
     </message>
 </context>
 <context>
+    <name>LightMarks</name>
+    <message>
+        <source>Probe %1</source>
+        <translation>Messpunkt %1</translation>
+    </message>
+</context>
+<context>
     <name>soffit::ui</name>
     <message>
         <source>The project was not saved</source>
@@ -552,6 +559,10 @@
         <source>Verify</source>
         <translation>Prüfen</translation>
     </message>
+    <message>
+        <source>Probes</source>
+        <translation>Messpunkte</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::AboutDialog</name>
@@ -817,20 +828,8 @@
 <context>
     <name>soffit::ui::DifferenceModel</name>
     <message>
-        <source>Ēm lx</source>
-        <translation>Ēm lx</translation>
-    </message>
-    <message>
-        <source>Emin lx</source>
-        <translation>Emin lx</translation>
-    </message>
-    <message>
         <source>U₀</source>
         <translation>U₀</translation>
-    </message>
-    <message>
-        <source>Emax lx</source>
-        <translation>Emax lx</translation>
     </message>
     <message>
         <source>All</source>
@@ -872,6 +871,18 @@
         <source>Difference</source>
         <translation>Differenz</translation>
     </message>
+    <message>
+        <source>Ēm</source>
+        <translation>Ēm</translation>
+    </message>
+    <message>
+        <source>Emin</source>
+        <translation>Emin</translation>
+    </message>
+    <message>
+        <source>Emax</source>
+        <translation>Emax</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::DrawingPolygon</name>
@@ -898,6 +909,17 @@
     <message>
         <source>Next corner; Enter or the first corner closes the outline. Backspace: take one back.</source>
         <translation>Nächste Ecke; Eingabe oder die erste Ecke schließt den Umriss. Rücktaste: eine zurücknehmen.</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::DrawingProfile</name>
+    <message>
+        <source>Click the end of the line. Esc: done.</source>
+        <translation>Ende der Linie anklicken. Esc: fertig.</translation>
+    </message>
+    <message>
+        <source>Click the start of the line on a surface. Esc: done.</source>
+        <translation>Anfang der Linie auf einer Fläche anklicken. Esc: fertig.</translation>
     </message>
 </context>
 <context>
@@ -1379,6 +1401,10 @@
         <source>Scale of illuminance</source>
         <translation>Skala der Beleuchtungsstärke</translation>
     </message>
+    <message>
+        <source>Scale of illuminance; a click: its range, steps and colours</source>
+        <translation>Skala der Beleuchtungsstärke; ein Klick: Bereich, Stufen und Farben</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::LibraryPanel</name>
@@ -1420,6 +1446,25 @@
     <message>
         <source>Reading…</source>
         <translation>Wird gelesen…</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::LightMarks</name>
+    <message>
+        <source>Pin probe</source>
+        <translation>Messpunkt setzen</translation>
+    </message>
+    <message>
+        <source>Move probe</source>
+        <translation>Messpunkt verschieben</translation>
+    </message>
+    <message>
+        <source>%1 %2   %3 cd/m²</source>
+        <translation>%1 %2   %3 cd/m²</translation>
+    </message>
+    <message>
+        <source>no light here</source>
+        <translation>hier ist kein Licht</translation>
     </message>
 </context>
 <context>
@@ -1623,6 +1668,93 @@
     <message>
         <source>mixed</source>
         <translation>gemischt</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::LuxScaleFields</name>
+    <message>
+        <source>Logarithmic</source>
+        <translation>Logarithmisch</translation>
+    </message>
+    <message>
+        <source>Least illuminance of the scale</source>
+        <translation>Kleinste Beleuchtungsstärke der Skala</translation>
+    </message>
+    <message>
+        <source>Greatest illuminance of the scale</source>
+        <translation>Größte Beleuchtungsstärke der Skala</translation>
+    </message>
+    <message>
+        <source>Violet to yellow</source>
+        <translation>Violett bis Gelb</translation>
+    </message>
+    <message>
+        <source>Blue to yellow</source>
+        <translation>Blau bis Gelb</translation>
+    </message>
+    <message>
+        <source>Greys</source>
+        <translation>Grautöne</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Safe for color blindness and prints</source>
+        <translation>Auch bei Farbenblindheit und im Druck lesbar</translation>
+    </message>
+    <message>
+        <source>As in other programs; red and green look alike to many</source>
+        <translation>Wie in anderen Programmen; Rot und Grün sehen für viele gleich aus</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Stufenlos</translation>
+    </message>
+    <message>
+        <source>Bands of one colour each</source>
+        <translation>Stufen von je einer Farbe</translation>
+    </message>
+    <message>
+        <source>Round values</source>
+        <translation>Runde Werte</translation>
+    </message>
+    <message>
+        <source>Standard series</source>
+        <translation>Normreihe</translation>
+    </message>
+    <message>
+        <source>Own values</source>
+        <translation>Eigene Werte</translation>
+    </message>
+    <message>
+        <source>Standard series: 0.5 1 2 3 5 7.5 10 … 500 750 1000 …</source>
+        <translation>Normreihe: 0,5 1 2 3 5 7,5 10 … 500 750 1000 …</translation>
+    </message>
+    <message>
+        <source>300, 500, 750</source>
+        <translation>300, 500, 750</translation>
+    </message>
+    <message>
+        <source>Values of the isolux lines</source>
+        <translation>Werte der Isoluxlinien</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skala</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Lines at</source>
+        <translation>Linien bei</translation>
     </message>
 </context>
 <context>
@@ -2355,6 +2487,58 @@
         <source>Gives up the precomputation or the verification under way</source>
         <translation>Bricht die laufende Vorberechnung oder Prüfung ab</translation>
     </message>
+    <message>
+        <source>&amp;Isolux lines</source>
+        <translation>&amp;Isoluxlinien</translation>
+    </message>
+    <message>
+        <source>Lines of equal illuminance, on surfaces or work planes</source>
+        <translation>Linien gleicher Beleuchtungsstärke, auf Flächen oder Nutzebenen</translation>
+    </message>
+    <message>
+        <source>Work plane &amp;values</source>
+        <translation>&amp;Werte der Nutzebenen</translation>
+    </message>
+    <message>
+        <source>Illuminance in numbers at the points of the work planes</source>
+        <translation>Beleuchtungsstärke in Zahlen an den Punkten der Nutzebenen</translation>
+    </message>
+    <message>
+        <source>&amp;Units</source>
+        <translation>&amp;Einheiten</translation>
+    </message>
+    <message>
+        <source>&amp;Pin a probe</source>
+        <translation>&amp;Messpunkt setzen</translation>
+    </message>
+    <message>
+        <source>Watches the light at the surface under the cursor</source>
+        <translation>Beobachtet das Licht auf der Fläche unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Pro&amp;file along a line…</source>
+        <translation>&amp;Profil entlang einer Linie…</translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>Click two points of a surface: the light between them as a chart</source>
+        <translation>Zwei Punkte einer Fläche anklicken: das Licht dazwischen als Diagramm</translation>
+    </message>
+    <message>
+        <source>How values are shown; files stay metric</source>
+        <translation>Wie Werte gezeigt werden; Dateien bleiben metrisch</translation>
+    </message>
+    <message>
+        <source>Metric: m, lx</source>
+        <translation>Metrisch: m, lx</translation>
+    </message>
+    <message>
+        <source>Imperial: ft, fc</source>
+        <translation>Angloamerikanisch: ft, fc</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::MakingLuminous</name>
@@ -2615,6 +2799,72 @@
     <message>
         <source>%1: click where it goes. Space: turn. Shift: place several. Alt: no snapping. Esc: done.</source>
         <translation>%1: Einbauort anklicken. Leertaste: drehen. Umschalt: mehrere platzieren. Alt: nicht einrasten. Esc: fertig.</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::ProbesPanel</name>
+    <message>
+        <source>Probes</source>
+        <translation>Messpunkte</translation>
+    </message>
+    <message>
+        <source>Who lights the probe</source>
+        <translation>Wer den Messpunkt beleuchtet</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the chosen probe (Del)</source>
+        <translation>Entfernt den gewählten Messpunkt (Entf)</translation>
+    </message>
+    <message>
+        <source>P pins one under the cursor</source>
+        <translation>P setzt einen unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Remove probe</source>
+        <translation>Messpunkt entfernen</translation>
+    </message>
+    <message>
+        <source>Rename probe</source>
+        <translation>Messpunkt umbenennen</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Messpunkt</translation>
+    </message>
+    <message>
+        <source>Who lights a probe</source>
+        <translation>Wer einen Messpunkt beleuchtet</translation>
+    </message>
+    <message>
+        <source>Who lights %1</source>
+        <translation>Wer %1 beleuchtet</translation>
+    </message>
+    <message>
+        <source>Luminaire</source>
+        <translation>Leuchte</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::ProfileChart</name>
+    <message>
+        <source>Illuminance along a line</source>
+        <translation>Beleuchtungsstärke entlang einer Linie</translation>
+    </message>
+    <message>
+        <source>Close the profile</source>
+        <translation>Profil schließen</translation>
+    </message>
+    <message>
+        <source>No lit surface along the line</source>
+        <translation>Keine beleuchtete Fläche entlang der Linie</translation>
+    </message>
+    <message>
+        <source>Ēm %1   Emin %2   Emax %3 %4</source>
+        <translation>Ēm %1   Emin %2   Emax %3 %4</translation>
     </message>
 </context>
 <context>
@@ -2937,20 +3187,8 @@
         <translation>Nutzebene</translation>
     </message>
     <message>
-        <source>Ēm lx</source>
-        <translation>Ēm lx</translation>
-    </message>
-    <message>
-        <source>Emin lx</source>
-        <translation>Emin lx</translation>
-    </message>
-    <message>
         <source>U₀</source>
         <translation>U₀</translation>
-    </message>
-    <message>
-        <source>Emax lx</source>
-        <translation>Emax lx</translation>
     </message>
     <message>
         <source>Φ lm</source>
@@ -3007,6 +3245,18 @@
     <message>
         <source>Power over the area of all work planes</source>
         <translation>Leistung je Fläche aller Nutzebenen</translation>
+    </message>
+    <message>
+        <source>Ēm %1</source>
+        <translation>Ēm %1</translation>
+    </message>
+    <message>
+        <source>Emin %1</source>
+        <translation>Emin %1</translation>
+    </message>
+    <message>
+        <source>Emax %1</source>
+        <translation>Emax %1</translation>
     </message>
 </context>
 <context>
@@ -3451,16 +3701,40 @@
         <translation>Falschfarben der Beleuchtungsstärke</translation>
     </message>
     <message>
-        <source>Logarithmic</source>
-        <translation>Logarithmisch</translation>
-    </message>
-    <message>
         <source>View</source>
         <translation>Ansicht</translation>
     </message>
     <message>
         <source>View transform</source>
         <translation>Ansichtstransformation</translation>
+    </message>
+    <message>
+        <source>Isolux lines</source>
+        <translation>Isoluxlinien</translation>
+    </message>
+    <message>
+        <source>on surfaces</source>
+        <translation>auf Flächen</translation>
+    </message>
+    <message>
+        <source>on work planes</source>
+        <translation>auf Nutzebenen</translation>
+    </message>
+    <message>
+        <source>on both</source>
+        <translation>auf beiden</translation>
+    </message>
+    <message>
+        <source>Where isolux lines are drawn</source>
+        <translation>Wo Isoluxlinien gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>Values on work planes</source>
+        <translation>Werte auf Nutzebenen</translation>
+    </message>
+    <message>
+        <source>A number at each point that there is room for</source>
+        <translation>Eine Zahl an jedem Punkt, für den Platz ist</translation>
     </message>
 </context>
 </TS>
