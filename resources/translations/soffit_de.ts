@@ -2496,7 +2496,7 @@
         <translation>Linien gleicher Beleuchtungsstärke, auf Flächen oder Nutzebenen</translation>
     </message>
     <message>
-        <source>Work plane &amp;values</source>
+        <source>Wor&amp;k plane values</source>
         <translation>&amp;Werte der Nutzebenen</translation>
     </message>
     <message>

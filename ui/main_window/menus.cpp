@@ -51,7 +51,7 @@ void MainWindow::makeViewMenu() {
   forProject(isolines);
   connect(workspace_.view, &ViewPanel::isolinesChanged, isolines, &QAction::setChecked);
   QAction* values = addToggle(menu,
-                              {tr("Work plane &values"), QKeySequence(Qt::Key_N),
+                              {tr("Wor&k plane values"), QKeySequence(Qt::Key_N),
                                tr("Illuminance in numbers at the points of the work planes"),
                                "Work plane values"},
                               this, [this](bool on) { workspace_.view->setValues(on); });

@@ -14,8 +14,8 @@ void MainWindow::addUnits(QMenu& menu) {
   auto* group = new QActionGroup(this);
   const QString hint = tr("How values are shown; files stay metric");
   const std::pair<ActionText, Units> all[] = {
-      {{tr("Metric: m, lx"), {}, hint, "Metric"}, Units::metric},
-      {{tr("Imperial: ft, fc"), {}, hint, "Imperial"}, Units::imperial}};
+      {{tr("Metric: m, lx"), {}, hint, "Metric: m, lx"}, Units::metric},
+      {{tr("Imperial: ft, fc"), {}, hint, "Imperial: ft, fc"}, Units::imperial}};
   for (const auto& [text, choice] : all) {
     QAction* action = addEntry(menu, text, this, [choice = choice] {
       saveUnits(choice);

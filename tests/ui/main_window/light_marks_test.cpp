@@ -35,7 +35,7 @@ class LightMarksTest : public QObject {
 
   void valuesOfTheWorkPlanesAreThoseOfTheTable() {
     QVERIFY(overlay().marks().numbers.empty());
-    QVERIFY(fixture_->trigger(QStringLiteral("Work plane &values")));
+    QVERIFY(fixture_->trigger(QStringLiteral("Wor&k plane values")));
     const auto& numbers = overlay().marks().numbers;
     const auto& planes = document().scene()->work_planes;
     QVERIFY(!planes.empty());
@@ -143,7 +143,7 @@ class LightMarksTest : public QObject {
   }
 
   void footcandlesAreShownEverywhere() {
-    QVERIFY(fixture_->trigger(QStringLiteral("Work plane &values")));
+    QVERIFY(fixture_->trigger(QStringLiteral("Wor&k plane values")));
     applyUnits(Units::imperial);
     QCOMPARE(legend().scale().unit, color::LuxUnit::footcandle);
     QCOMPARE(overlay().marks().scale.unit, color::LuxUnit::footcandle);

@@ -104,9 +104,10 @@ class WindowFixture {
   }
   /// Clicks a button of the dialog that will be shown.
   static void answer(QMessageBox::StandardButton button) {
-    QTimer::singleShot(200, qApp, [button] {
-      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      if (box != nullptr) box->button(button)->click();
+    whenAsked<QMessageBox>([button](QMessageBox& box) {
+      QAbstractButton* wanted = box.button(button);
+      if (wanted != nullptr) wanted->click();
+      return wanted != nullptr;
     });
   }
   /// Calls `act` with the dialog of a kind that will be shown.
@@ -116,6 +117,7 @@ class WindowFixture {
     QObject::connect(timer, &QTimer::timeout, timer, [timer, act] {
       auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget());
       if (dialog == nullptr || !act(*dialog)) return;
+      timer->stop();
       timer->deleteLater();
     });
     timer->start(50);
