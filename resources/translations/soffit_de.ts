@@ -2497,7 +2497,7 @@
     </message>
     <message>
         <source>Wor&amp;k plane values</source>
-        <translation>&amp;Werte der Nutzebenen</translation>
+        <translation>Werte der Nut&amp;zebenen</translation>
     </message>
     <message>
         <source>Illuminance in numbers at the points of the work planes</source>

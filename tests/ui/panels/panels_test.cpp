@@ -99,7 +99,7 @@ class PanelsTest : public QObject {
       }
       return false;
     };
-    constexpr int kComputed = 2;
+    constexpr int kComputed = 3;
     constexpr int kSkipped = 4;
     QVERIFY(says(kSkipped, QStringLiteral("no material has a specular share")));
     scene::Scene glossy = *document.scene();
