@@ -2453,7 +2453,7 @@
     </message>
     <message>
         <source>&amp;Calculate</source>
-        <translation>&amp;Berechnen</translation>
+        <translation>Bere&amp;chnen</translation>
     </message>
     <message>
         <source>&amp;Verify with the path tracer</source>
