@@ -925,6 +925,10 @@
 <context>
     <name>soffit::ui::ErrorMap</name>
     <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
         <source>Errors against the reference</source>
         <translation>Fehler gegenüber der Referenz</translation>
     </message>

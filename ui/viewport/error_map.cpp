@@ -119,7 +119,7 @@ void ErrorMap::setPoints(std::vector<ErrorPoint> points) {
   radius_ = std::clamp(kShare * spacingOf(points_), kSmallestM, kLargestM);
   scale_ = fittingErrorScale(points_);
   legend_->setScale([](float place) { return render::differenceColor(2.0F * place - 1.0F); },
-                    [scale = scale_](int most) { return percentTicks(scale, most); });
+                    [scale = scale_](int most) { return percentTicks(scale, most); }, tr("Error"));
   setVisible(!points_.empty());
   update();
 }

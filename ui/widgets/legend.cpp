@@ -40,11 +40,12 @@ void Legend::setScale(const color::LuxScale& scale, std::vector<double> levels) 
   differences_ = false;
 }
 
-void Legend::setScale(Colors colors, Ticks ticks) {
+void Legend::setScale(Colors colors, Ticks ticks, const QString& unit) {
   colors_ = std::move(colors);
   ticks_ = std::move(ticks);
   levels_.clear();
   differences_ = true;
+  difference_unit_ = unit;
   update();
 }
 
@@ -79,7 +80,7 @@ void Legend::paintTicks(QPainter& painter) const {
   const int line = fontMetrics().height();
   painter.setPen(kInk);
   const QString unit =
-      differences_ ? QStringLiteral("lx") : QString::fromLatin1(color::nameOf(scale_.unit));
+      differences_ ? difference_unit_ : QString::fromLatin1(color::nameOf(scale_.unit));
   painter.drawText(QPointF(kMargin, kMargin + fontMetrics().ascent()), unit);
   const int room = std::max(2, static_cast<int>(bar.height()) / (line + 10));
   for (const color::LegendTick& tick : ticks_(room)) {

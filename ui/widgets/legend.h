@@ -21,10 +21,11 @@ class Legend : public QWidget {
   explicit Legend(QWidget* parent = nullptr);
   /// levels: of isolux lines, lux.
   void setScale(const color::LuxScale& scale, std::vector<double> levels = {});
-  /// A scale of differences in lux: its colors at 0..1 along the bar, and about so many values.
+  /// A scale of differences: its colors at 0..1 along the bar, about so many values, and what
+  /// stands above them; empty: their labels say it.
   using Colors = std::function<vec3(float place)>;
   using Ticks = std::function<std::vector<color::LegendTick>(int most)>;
-  void setScale(Colors colors, Ticks ticks);
+  void setScale(Colors colors, Ticks ticks, const QString& unit = QStringLiteral("lx"));
   /// Lux under the cursor; nothing: no mark.
   void setReading(std::optional<double> lux);
   [[nodiscard]] const color::LuxScale& scale() const { return scale_; }
@@ -48,6 +49,7 @@ class Legend : public QWidget {
   Ticks ticks_;
   std::vector<double> levels_;
   bool differences_ = false;
+  QString difference_unit_;
   std::optional<double> reading_;
 };
 
