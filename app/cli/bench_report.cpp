@@ -99,6 +99,8 @@ io::Json rowJson(const design::BenchRow& row, bool pareto) {
                                                            {"nodes", s.nodes},
                                                            {"gather", s.gather},
                                                            {"interpolate", s.interpolate}})},
+                           {"mix_ms", row.mix_ms},
+                           {"paint_ms", row.paint_ms},
                            {"rms", row.total.rms},
                            {"p95", row.total.p95},
                            {"bias", row.total.bias},
@@ -138,17 +140,19 @@ std::string benchText(const std::vector<design::BenchRow>& rows,
   const std::set<std::size_t> best = bestOf(rows);
   std::string text;
   for (const std::string& project : projectsOf(rows)) {
-    text += fmt::format("{:<10} {:<14} {:<28} {:>8} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7}\n", project,
-                        "method", "settings", "ms", "RMS %", "P95 %", "bias %", "alone %", "bake s",
-                        "MB");
+    text +=
+        fmt::format("{:<10} {:<14} {:<28} {:>8} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7}\n",
+                    project, "method", "settings", "ms", "mix", "paint", "RMS %", "P95 %", "bias %",
+                    "alone %", "bake s", "MB");
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const design::BenchRow& r = rows[i];
       if (r.project != project) continue;
       text += fmt::format(
-          "{:>10} {:<14} {:<28} {:>8.2f} {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f} {:>7.1f} {:>7.1f}\n",
-          best.contains(i) ? "*" : "", r.method, r.settings, r.update_ms, 100.0 * r.total.rms,
-          100.0 * r.total.p95, 100.0 * r.total.bias, 100.0 * r.alone.rms, r.bake_s,
-          static_cast<double>(r.operator_bytes) / 1e6);
+          "{:>10} {:<14} {:<28} {:>8.2f} {:>7.2f} {:>7.1f} {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f} "
+          "{:>7.1f} {:>7.1f}\n",
+          best.contains(i) ? "*" : "", r.method, r.settings, r.update_ms, r.mix_ms, r.paint_ms,
+          100.0 * r.total.rms, 100.0 * r.total.p95, 100.0 * r.total.bias, 100.0 * r.alone.rms,
+          r.bake_s, static_cast<double>(r.operator_bytes) / 1e6);
     }
   }
   text += fmt::format("* on the front of run time against RMS error; {:.0f} s\n", seconds);

@@ -9,12 +9,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 
 namespace soffit::design {
 namespace {
 
 constexpr std::size_t kWarmUps = 3;
 constexpr std::size_t kMoves = 15;
+constexpr std::size_t kPaints = 6;
 constexpr double kReach = 0.25;             // m around the light's place
 constexpr std::uint64_t kRaysAvoided = 64;  // per point, what the bitmask is weighed against
 
@@ -62,6 +64,8 @@ class Measurement {
     if (!set_alone) return set_alone;
     row.total = figures(readSurfaces(all, bench_.receivers), bench_.total);
     row.alone = figures(readSurfaces(alone, bench_.receivers), bench_.alone);
+    timeMixes(all, row);
+    timePaint(all, row);
     return timeMoves(all, job, row);
   }
 
@@ -83,9 +87,7 @@ class Measurement {
     // Slow methods are timed at fewer places.
     const std::size_t count = rays > 16 ? kMoves / 3 : kMoves;
     std::vector<relight::StageTimes> times;
-    relight::Planes rest;
-    for (auto& plane : rest) plane.assign(solver_->operators().texels.slotCount(), 0.0F);
-    relight::Planes sum = rest;
+    relight::Planes sum;
     for (std::size_t i = 0; i < count + 1; ++i) {
       if (job.cancelled()) return Error{"bench", "cancelled", ""};
       const auto emitter = emitterAt(placeOf(home(), i, count));
@@ -93,7 +95,11 @@ class Measurement {
       relight::StageTimes t;
       relight::Column column;
       row.rays = rayColumn(*emitter, rays, column, &t);
-      solver_->addTo(column, emitter->gain * emitter->color, rest, sum, &t);
+      const auto start = std::chrono::steady_clock::now();
+      const relight::WeightedColumn own{&column, emitter->gain * emitter->color};
+      relight::spread({}, {&own, 1}, solver_->operators(), sum);
+      const auto passed = std::chrono::steady_clock::now() - start;
+      t.interpolate = std::chrono::duration<double, std::milli>(passed).count();
       if (i > 0) times.push_back(t);
     }
     addTimes(times, row);
@@ -117,6 +123,38 @@ class Measurement {
                   reference.standard_error[i]);
     }
     return errorFigures(samples);
+  }
+
+  static double medianMs(std::size_t count, const std::function<void(std::size_t)>& run) {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      run(i);
+      const auto passed = std::chrono::steady_clock::now() - start;
+      if (i > 0) all.push_back(std::chrono::duration<double, std::milli>(passed).count());
+    }
+    return photometry::percentile(all, 0.5);
+  }
+
+  /// No two luminaires change by the same factor: nothing that was summed before serves.
+  static void timeMixes(const relight::Lighting& all, BenchRow& row) {
+    relight::Lighting mixed = all;
+    row.mix_ms = medianMs(kMoves, [&](std::size_t run) {
+      for (std::size_t i = 0; i < all.emitters().size(); ++i) {
+        const light::Emitter& e = all.emitters()[i];
+        const double factor = 0.3 + 0.7 * std::abs(std::sin(static_cast<double>(run + 7 * i)));
+        mixed.setMix(i, factor * e.gain, e.color);
+      }
+      (void)mixed.total();
+    });
+  }
+
+  void timePaint(const relight::Lighting& all, BenchRow& row) const {
+    row.paint_ms = medianMs(kPaints, [&](std::size_t run) {
+      std::vector<scene::Material> materials = scene_.materials;
+      for (scene::Material& m : materials) m.diffuse *= 1.0 - 0.05 * static_cast<double>(run + 1);
+      (void)all.totalUnder(*solver_->repainted(materials));
+    });
   }
 
   Result<void> timeMoves(relight::Lighting& lighting, const Job& job, BenchRow& row) {
@@ -159,13 +197,9 @@ class Measurement {
     rayColumn(emitter, rays, column, nullptr);
     column.direct.clear();
     relight::Planes indirect;
-    for (auto& plane : indirect) plane.assign(solver_->operators().texels.slotCount(), 0.0F);
     const dvec3 weight = emitter.gain * emitter.color;
-    solver_->add(column, weight, indirect);
-    solver_->fill(indirect);
-    for (auto& plane : indirect) {
-      for (float& e : plane) e = std::max(e, 0.0F);
-    }
+    const relight::WeightedColumn own{&column, weight};
+    relight::spread({}, {&own, 1}, solver_->operators(), indirect, relight::LightPart::reflected);
     const auto bounced = interpolateAt(solver_->operators().texels, indirect, bench_.receivers);
     const light::Receivers points = toReceivers(bench_.receivers);
     std::vector<float> direct(points.slotCount());

@@ -57,6 +57,8 @@ const std::vector<Column>& columns() {
       number("nodes_ms", SOFFIT_FIELD(stages.nodes)),
       number("gather_ms", SOFFIT_FIELD(stages.gather)),
       number("interpolate_ms", SOFFIT_FIELD(stages.interpolate)),
+      number("mix_ms", SOFFIT_FIELD(mix_ms)),
+      number("paint_ms", SOFFIT_FIELD(paint_ms)),
       number("rms", SOFFIT_FIELD(total.rms)),
       number("p95", SOFFIT_FIELD(total.p95)),
       number("bias", SOFFIT_FIELD(total.bias)),

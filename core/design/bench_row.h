@@ -28,6 +28,8 @@ struct BenchRow {
   double update_ms = 0.0;  ///< median of a move
   double update_p99_ms = 0.0;
   relight::StageTimes stages;  ///< medians, ms
+  double mix_ms = 0.0;    ///< median: every luminaire dimmed by another factor, until the total
+  double paint_ms = 0.0;  ///< median: every reflectance changed, until the total
 
   std::uint64_t rays = 0;          ///< traced in one move
   std::uint64_t rays_avoided = 0;  ///< that 64 shadow rays a point would have taken

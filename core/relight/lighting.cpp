@@ -7,6 +7,7 @@
 #include "core/transfer/kernels.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <utility>
 
@@ -22,15 +23,9 @@ bool sameBodies(const std::vector<light::Emitter>& a, const std::vector<light::E
     }
     return found;
   };
-  return std::ranges::equal(bodies(a), bodies(b), [](const light::Emitter* x, const light::Emitter* y) {
-    return sameLight(*x, *y);
-  });
-}
-
-Planes zeros(std::size_t n) {
-  Planes p;
-  for (auto& plane : p) plane.assign(n, 0.0F);
-  return p;
+  return std::ranges::equal(
+      bodies(a), bodies(b),
+      [](const light::Emitter* x, const light::Emitter* y) { return sameLight(*x, *y); });
 }
 
 }  // namespace
@@ -68,7 +63,9 @@ void Lighting::compute(std::size_t i) {
 }
 
 std::size_t Lighting::columnFor(const light::Emitter& emitter, std::size_t at) const {
-  const auto fits = [&](std::size_t i) { return entries_[i].direct && sameLight(emitter, emitters_[i]); };
+  const auto fits = [&](std::size_t i) {
+    return entries_[i].direct && sameLight(emitter, emitters_[i]);
+  };
   if (at < entries_.size() && fits(at)) return at;
   // It changed its number: others were added or removed before it.
   std::size_t i = 0;
@@ -100,7 +97,8 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
   grabbed_ = static_cast<std::size_t>(-1);
   for (std::size_t i = 0; i < emitters_.size(); ++i) {
     if (job.cancelled()) return Error{"light", "cancelled", ""};
-    job.report("computing luminaires", static_cast<double>(i) / static_cast<double>(emitters_.size()));
+    job.report("computing luminaires",
+               static_cast<double>(i) / static_cast<double>(emitters_.size()));
     if (!entries_[i].ready && emitters_[i].gain > 0.0) compute(i);
   }
   return {};
@@ -146,12 +144,13 @@ std::optional<Planes> Lighting::totalUnder(const Solver& painted) const {
     });
   }
   const std::vector<float> open = openShare();
-  Planes total = zeros(solver_->operators().texels.slotCount());
+  std::vector<WeightedColumn> together;
   for (auto& [color, column] : lights) {
     painted.indirect(column, open);
-    painted.add(column, color, total);
+    together.push_back({&column, color});
   }
-  painted.fill(total);
+  Planes total;
+  spread({}, together, painted.operators(), total);
   return total;
 }
 
@@ -161,50 +160,32 @@ void Lighting::setMix(std::size_t i, double gain, const dvec3& color) {
   if (gain > 0.0 && !entries_[i].ready) compute(i);
 }
 
-Planes Lighting::total() const {
-  Planes sum = zeros(solver_->operators().texels.slotCount());
+std::vector<WeightedColumn> Lighting::lights(std::optional<std::size_t> but) const {
+  std::vector<WeightedColumn> on;
   for (std::size_t i = 0; i < emitters_.size(); ++i) {
-    if (emitters_[i].gain > 0.0) solver_->add(entries_[i].column, weight(i), sum);
+    if (i != but && emitters_[i].gain > 0.0) on.push_back({&entries_[i].column, weight(i)});
   }
-  solver_->fill(sum);
-  return sum;
+  return on;
+}
+
+Planes Lighting::total() const {
+  Planes lux;
+  spread({}, lights(), solver_->operators(), lux);
+  return lux;
 }
 
 Planes Lighting::indirectTotal() const {
-  Planes sum = zeros(solver_->operators().texels.slotCount());
-  for (std::size_t i = 0; i < emitters_.size(); ++i) {
-    if (emitters_[i].gain <= 0.0) continue;
-    Column indirect;
-    indirect.skeleton = entries_[i].column.skeleton;
-    indirect.node = entries_[i].column.node;
-    solver_->add(indirect, weight(i), sum);
-  }
-  solver_->fill(sum);
-  for (auto& plane : sum) {
-    for (float& e : plane) e = std::max(e, 0.0F);
-  }
-  return sum;
+  Planes lux;
+  spread({}, lights(), solver_->operators(), lux, LightPart::reflected);
+  return lux;
 }
 
 void Lighting::grab(std::size_t index) {
   grabbed_ = index;
-  // In double: with 300 lights the rest is as exact as one of them.
-  const std::size_t slots = solver_->operators().texels.slotCount();
-  std::array<std::vector<double>, 3> sum;
-  for (auto& plane : sum) plane.assign(slots, 0.0);
-  for (std::size_t i = 0; i < emitters_.size(); ++i) {
-    if (i == index || emitters_[i].gain <= 0.0) continue;
-    Planes one = zeros(slots);
-    solver_->add(entries_[i].column, weight(i), one);
-    for (std::size_t c = 0; c < 3; ++c) {
-      for (std::size_t s = 0; s < slots; ++s) sum[c][s] += static_cast<double>(one[c][s]);
-    }
-  }
-  rest_ = zeros(slots);
-  for (std::size_t c = 0; c < 3; ++c) {
-    for (std::size_t s = 0; s < slots; ++s) rest_[c][s] = static_cast<float>(sum[c][s]);
-  }
-  moved_ = rest_;
+  rest_ = noLight(solver_->operators());
+  for (const WeightedColumn& other : lights(index)) addTo(rest_, other, solver_->operators());
+  const WeightedSum rest{&rest_};
+  spread({&rest, 1}, {}, solver_->operators(), moved_);
 }
 
 StageTimes Lighting::move(const light::Emitter& emitter, light::DirectCounts* counts) {
@@ -216,12 +197,17 @@ StageTimes Lighting::move(const light::Emitter& emitter, light::DirectCounts* co
   solver_->indirect(entry.column, openShare(), nullptr, &times);
   entry.direct = true;
   entry.ready = true;
-  solver_->addTo(entry.column, weight(grabbed_), rest_, moved_, &times);
-  solver_->fill(moved_);
+  const auto start = std::chrono::steady_clock::now();
+  const WeightedSum rest{&rest_};
+  const WeightedColumn own{&entry.column, weight(grabbed_)};
+  spread({&rest, 1}, {&own, 1}, solver_->operators(), moved_);
+  const auto passed = std::chrono::steady_clock::now() - start;
+  times.interpolate = std::chrono::duration<double, std::milli>(passed).count();
   return times;
 }
 
-std::vector<SensorLight> Lighting::read(const Sensors& sensors, std::optional<std::size_t> only) const {
+std::vector<SensorLight> Lighting::read(const Sensors& sensors,
+                                        std::optional<std::size_t> only) const {
   std::vector<SensorLight> out(sensors.size());
   std::vector<vec4> source(solver_->operators().texels.slotCount(), vec4(0.0F));
   const std::vector<float> open = openShare();

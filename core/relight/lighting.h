@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/light/emitter.h"
+#include "core/relight/light_sum.h"
 #include "core/relight/sensors.h"
 #include "core/relight/solver.h"
 
@@ -12,8 +13,6 @@
 #include <vector>
 
 namespace soffit::relight {
-
-using Planes = std::array<std::vector<float>, 3>;
 
 /// The light of a set of luminaires in one scene, a column each: what moved is computed, what only
 /// changed its dimming, colour or switch is mixed again (design.md § 1).
@@ -41,10 +40,10 @@ class Lighting {
   /// error of either. Nothing where the direct light of a luminaire is missing.
   [[nodiscard]] std::optional<Planes> totalUnder(const Solver& painted) const;
 
-  /// Adds weight * the light of luminaire i to a sum of planes; fill() of the solver is left out.
-  void addTo(std::size_t i, const dvec3& weight, Planes& sum) const {
-    solver_->add(entries_[i].column, weight, sum);
-  }
+  /// The light of luminaire i at dimming 1, as it was computed last.
+  [[nodiscard]] const Column& column(std::size_t i) const { return entries_[i].column; }
+  /// Its gain times its colour: 0 when it is off.
+  [[nodiscard]] dvec3 weight(std::size_t i) const { return emitters_[i].gain * emitters_[i].color; }
 
   /// New gain and colour of luminaire i: no light is computed.
   void setMix(std::size_t i, double gain, const dvec3& color);
@@ -63,7 +62,8 @@ class Lighting {
   [[nodiscard]] Planes indirectTotal() const;
 
   /// Readings of all luminaires, or of one.
-  [[nodiscard]] std::vector<SensorLight> read(const Sensors& sensors, std::optional<std::size_t> only = {}) const;
+  [[nodiscard]] std::vector<SensorLight> read(const Sensors& sensors,
+                                              std::optional<std::size_t> only = {}) const;
 
   [[nodiscard]] const light::DirectCounts& counts() const { return counts_; }
 
@@ -79,13 +79,14 @@ class Lighting {
   [[nodiscard]] std::size_t columnFor(const light::Emitter& emitter, std::size_t at) const;
   [[nodiscard]] std::vector<light::MaskBlocker> otherBodies(std::size_t i) const;
   [[nodiscard]] std::vector<float> openShare() const;
-  [[nodiscard]] dvec3 weight(std::size_t i) const { return emitters_[i].gain * emitters_[i].color; }
+  /// All that are on, but one.
+  [[nodiscard]] std::vector<WeightedColumn> lights(std::optional<std::size_t> but = {}) const;
 
   std::shared_ptr<const Solver> solver_;
   std::vector<light::Emitter> emitters_;
   std::vector<Entry> entries_;
   std::size_t grabbed_ = static_cast<std::size_t>(-1);
-  Planes rest_;
+  LightSum rest_;
   Planes moved_;
   light::DirectCounts counts_;
 };

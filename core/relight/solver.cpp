@@ -2,6 +2,7 @@
 #include "core/relight/solver.h"
 
 #include "core/base/parallel.h"
+#include "core/relight/light_sum.h"
 
 #include <algorithm>
 #include <chrono>
@@ -31,9 +32,6 @@ Solver::Solver(std::shared_ptr<const transfer::StaticScene> scene,
   setMaterials(materials);
   blocks_ = transfer::FarBlocks(operators_->texels, operators_->area);
   shadow_groups_ = transfer::makeShadowGroups(operators_->texels, operators_->fill_from);
-  for (std::uint32_t s = 0; s < operators_->fill_from.size(); ++s) {
-    if (operators_->fill_from[s] != s) filled_.push_back(s);
-  }
   const transfer::Nodes& nodes = operators_->nodes;
   for (std::uint32_t i = 0; i < nodes.patches.size(); ++i) {
     const transfer::Nodes::Patch& p = nodes.patches[i];
@@ -199,20 +197,16 @@ void Solver::addFromNodes(std::span<const transfer::PatchLight> sent, std::vecto
 void Solver::radiosityOf(const Column& column, std::span<const float> open,
                          std::vector<vec4>& source) const {
   const transfer::Operators& op = *operators_;
-  const auto& clusters = op.texels.receivers.clusters;
   Planes e;
-  for (auto& plane : e) plane.assign(op.texels.slotCount(), 0.0F);
-  parallelFor(clusters.size(), 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) addIndirect(column, vec4(1.0F), i, e);
-  });
+  const WeightedColumn one{&column, dvec3(1.0)};
+  spread({}, {&one, 1}, op, e, LightPart::reflected);
   source.assign(op.texels.slotCount(), vec4(0.0F));
   parallelFor(source.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t s = begin; s < end; ++s) {
       const float shown = open.empty() ? 1.0F : open[s];
       const float direct = directAt(column, open, s);
       for (std::size_t c = 0; c < 3; ++c) {
-        source[s][static_cast<int>(c)] =
-            reflectances_.rho[c][s] * (direct + shown * e[c][op.fill_from[s]]);
+        source[s][static_cast<int>(c)] = reflectances_.rho[c][s] * (direct + shown * e[c][s]);
       }
     }
   });
@@ -260,86 +254,6 @@ void Solver::indirect(Column& column, std::span<const float> open, std::vector<v
   addFromNodes(sent, column.skeleton);
   if (times != nullptr) times->gather += lap.ms();
   if (source != nullptr) radiosityOf(column, open, *source);
-}
-
-void Solver::addCluster(const Column& column, const vec4& w, std::size_t i, Planes& total) const {
-  const light::Receivers::Cluster& c = operators_->texels.receivers.clusters[i];
-  float* r = &total[0][c.begin];
-  float* g = &total[1][c.begin];
-  float* b = &total[2][c.begin];
-  const std::size_t slots = c.end - c.begin;
-  if (!column.direct.empty() && column.lit[i] != 0) {
-    transfer::addScaled(w.x, &column.direct[c.begin], r, slots);
-    transfer::addScaled(w.y, &column.direct[c.begin], g, slots);
-    transfer::addScaled(w.z, &column.direct[c.begin], b, slots);
-  }
-  addIndirect(column, w, i, total);
-}
-
-void Solver::addIndirect(const Column& column, const vec4& w, std::size_t i, Planes& total) const {
-  const transfer::Operators& op = *operators_;
-  const light::Receivers::Cluster& c = op.texels.receivers.clusters[i];
-  float* r = &total[0][c.begin];
-  float* g = &total[1][c.begin];
-  float* b = &total[2][c.begin];
-  const std::size_t slots = c.end - c.begin;
-  if (!column.skeleton.empty()) {
-    const transfer::ClusterWeights& cw = op.clusters[i];
-    alignas(64) std::array<std::array<float, 256>, 3> light{};
-    transfer::interpolate(std::span(op.weights).subspan(cw.first_weight, cw.rank * slots),
-                          std::span(column.skeleton).subspan(cw.first_list, cw.rank), slots,
-                          light[0].data(), light[1].data(), light[2].data());
-    // Weights of the interpolation may be negative; light is not. Those of the sum may be: light
-    // that is taken away again.
-    for (std::size_t s = 0; s < slots; ++s) {
-      r[s] += w.x * std::max(0.0F, light[0][s]);
-      g[s] += w.y * std::max(0.0F, light[1][s]);
-      b[s] += w.z * std::max(0.0F, light[2][s]);
-    }
-  } else if (!column.node.empty()) {
-    for (std::uint32_t s = c.begin; s < c.end; ++s) {
-      const auto& e = column.node[op.nodes.patch_of[s]].c;
-      const vec4 value = e[0] + e[1] * op.nodes.phi[s].x + e[2] * op.nodes.phi[s].y;
-      for (std::size_t k = 0; k < 3; ++k) {
-        total[k][s] += w[static_cast<int>(k)] * std::max(0.0F, value[static_cast<int>(k)]);
-      }
-    }
-  }
-}
-
-void Solver::add(const Column& column, const dvec3& weight, Planes& total,
-                 StageTimes* times) const {
-  Lap lap;
-  const vec4 w(vec3(weight), 0.0F);
-  parallelFor(operators_->texels.receivers.clusters.size(), 8,
-              [&](std::size_t begin, std::size_t end) {
-                for (std::size_t i = begin; i < end; ++i) addCluster(column, w, i, total);
-              });
-  if (times != nullptr) times->interpolate += lap.ms();
-}
-
-void Solver::addTo(const Column& column, const dvec3& weight, const Planes& rest, Planes& total,
-                   StageTimes* times) const {
-  Lap lap;
-  const vec4 w(vec3(weight), 0.0F);
-  const auto& clusters = operators_->texels.receivers.clusters;
-  for (std::size_t k = 0; k < 3; ++k) total[k].resize(rest[k].size());
-  parallelFor(clusters.size(), 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        std::copy(rest[k].begin() + clusters[i].begin, rest[k].begin() + clusters[i].end,
-                  total[k].begin() + clusters[i].begin);
-      }
-      addCluster(column, w, i, total);
-    }
-  });
-  if (times != nullptr) times->interpolate += lap.ms();
-}
-
-void Solver::fill(std::array<std::vector<float>, 3>& total) const {
-  for (auto& plane : total) {
-    for (const std::uint32_t s : filled_) plane[s] = plane[operators_->fill_from[s]];
-  }
 }
 
 }  // namespace soffit::relight

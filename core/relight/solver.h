@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/light/direct_stage.h"
+#include "core/relight/column.h"
 #include "core/relight/reflectance.h"
 #include "core/transfer/far_blocks.h"
 #include "core/transfer/kernels.h"
@@ -24,28 +25,22 @@ namespace soffit::relight {
 
 /// Milliseconds of the stages of one update, in the order they run.
 struct StageTimes {
-  double direct = 0;       ///< closed form x visibility at all texels
-  double first_bounce = 0; ///< texels -> skeletons -> texels
-  double nodes = 0;        ///< all further bounces at node level
-  double gather = 0;       ///< nodes -> skeletons
-  double interpolate = 0;  ///< skeletons -> every display point, added to the rest
-  [[nodiscard]] double total() const { return direct + first_bounce + nodes + gather + interpolate; }
-};
-
-/// One luminaire's light at dimming 1 and a colour of Y = 1.
-struct Column {
-  std::vector<float> direct;        ///< lux per slot
-  std::vector<std::uint8_t> lit;    ///< per cluster
-  /// Response of each channel to white light of this luminaire (colour is applied by mixing):
-  std::vector<vec4> skeleton;       ///< per gather list; empty with coarse operators
-  std::vector<transfer::PatchLight> node;  ///< coarse operators: the indirect light per patch
+  double direct = 0;        ///< closed form x visibility at all texels
+  double first_bounce = 0;  ///< texels -> skeletons -> texels
+  double nodes = 0;         ///< all further bounces at node level
+  double gather = 0;        ///< nodes -> skeletons
+  double interpolate = 0;   ///< skeletons -> every display point, with the rest (light_sum.h)
+  [[nodiscard]] double total() const {
+    return direct + first_bounce + nodes + gather + interpolate;
+  }
 };
 
 /// Everything that depends on geometry and reflectances but not on luminaires. Thread-compatible:
 /// const members may run at the same time.
 class Solver {
  public:
-  Solver(std::shared_ptr<const transfer::StaticScene> scene, std::shared_ptr<const transfer::Operators> operators,
+  Solver(std::shared_ptr<const transfer::StaticScene> scene,
+         std::shared_ptr<const transfer::Operators> operators,
          std::span<const scene::Material> materials);
 
   [[nodiscard]] const transfer::StaticScene& scene() const { return *scene_; }
@@ -56,15 +51,17 @@ class Solver {
   void setMaterials(std::span<const scene::Material> materials);
 
   /// The same geometry with other reflectances, and no bake; this one stays as it is.
-  [[nodiscard]] std::shared_ptr<const Solver> repainted(std::span<const scene::Material> materials) const {
+  [[nodiscard]] std::shared_ptr<const Solver> repainted(
+      std::span<const scene::Material> materials) const {
     auto painted = std::make_shared<Solver>(*this);
     painted->setMaterials(materials);
     return painted;
   }
 
   /// Direct light of an emitter on all texels; bodies: blockers of all other luminaires' bodies.
-  void direct(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies, Column& column,
-              light::DirectCounts* counts = nullptr, StageTimes* times = nullptr) const;
+  void direct(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies,
+              Column& column, light::DirectCounts* counts = nullptr,
+              StageTimes* times = nullptr) const;
 
   /// Indirect light from column.direct. open: share of each texel that no hugging body covers
   /// (bodies.h), empty for none. source: when given, gets the whole radiosity per slot (for
@@ -76,32 +73,21 @@ class Solver {
   void indirect(Column& column, std::span<const float> open, std::vector<vec4>* source = nullptr,
                 StageTimes* times = nullptr) const;
 
-  /// Adds gain * color * column to RGB planes of slotCount() floats.
-  void add(const Column& column, const dvec3& weight, std::array<std::vector<float>, 3>& total,
-           StageTimes* times = nullptr) const;
-
-  /// The same into another sum: total = rest + weight * column, in one pass.
-  void addTo(const Column& column, const dvec3& weight, const std::array<std::vector<float>, 3>& rest,
-             std::array<std::vector<float>, 3>& total, StageTimes* times = nullptr) const;
-
-  /// Gives invalid texels the light of the valid ones they stand for.
-  void fill(std::array<std::vector<float>, 3>& total) const;
-
  private:
-  using Planes = std::array<std::vector<float>, 3>;
-  void addCluster(const Column& column, const vec4& weight, std::size_t cluster, Planes& total) const;
-  void addIndirect(const Column& column, const vec4& weight, std::size_t cluster, Planes& total) const;
   void coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const;
   /// Skeleton and what the patches send after it.
-  void firstBounce(Column& column, std::span<const float> open, std::span<transfer::PatchLight> sent) const;
+  void firstBounce(Column& column, std::span<const float> open,
+                   std::span<transfer::PatchLight> sent) const;
   /// Radiosity of direct light per slot and block, and the sum that stays in the scene.
   dvec3 sendDirect(const Column& column, std::span<const float> open, std::span<vec4> x) const;
   void sendCovered(std::span<const vec4> y, std::span<const float> open, std::size_t cluster,
                    std::span<transfer::PatchLight> sent) const;
   void addFromNodes(std::span<const transfer::PatchLight> sent, std::vector<vec4>& y) const;
   [[nodiscard]] vec4 conservingScale(const dvec3& sent, std::span<const vec4> y) const;
-  void radiosityOf(const Column& column, std::span<const float> open, std::vector<vec4>& source) const;
-  [[nodiscard]] float directAt(const Column& column, std::span<const float> open, std::size_t slot) const {
+  void radiosityOf(const Column& column, std::span<const float> open,
+                   std::vector<vec4>& source) const;
+  [[nodiscard]] float directAt(const Column& column, std::span<const float> open,
+                               std::size_t slot) const {
     const float e = column.direct[operators_->fill_from[slot]];
     return open.empty() ? e : e * open[slot];
   }
@@ -113,9 +99,8 @@ class Solver {
   Reflectances reflectances_;
   std::optional<transfer::NodeSolver> nodes_;  ///< none without nodes
   transfer::PatchWeights patch_weights_;       ///< none before there are weights
-  std::vector<std::uint32_t> filled_;         ///< slots that show another's light
-  std::vector<std::uint32_t> first_patch_;    ///< per cluster, then the end
-  std::vector<vec3> sends_moment_;            ///< per patch: sum sends phi of its functions
+  std::vector<std::uint32_t> first_patch_;     ///< per cluster, then the end
+  std::vector<vec3> sends_moment_;             ///< per patch: sum sends phi of its functions
 };
 
 }  // namespace soffit::relight

@@ -33,11 +33,6 @@ LuminaireChange changeBetween(const light::Luminaire& a, const light::Luminaire&
   return change;
 }
 
-template <class T>
-bool sameList(const std::vector<T>& a, const std::vector<T>& b) {
-  return std::ranges::equal(a, b, [](const T& x, const T& y) { return same(x, y); });
-}
-
 bool sameGeometry(const Scene& a, const Scene& b) {
   if (a.mesh != b.mesh) {
     if (a.mesh == nullptr || b.mesh == nullptr || !same(*a.mesh, *b.mesh)) return false;

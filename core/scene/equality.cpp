@@ -139,4 +139,9 @@ bool same(const Layout& a, const Layout& b) {
   return true;
 }
 
+bool sameReflectances(const std::vector<Material>& a, const std::vector<Material>& b) {
+  return std::ranges::equal(
+      a, b, [](const Material& x, const Material& y) { return sameReflectance(x, y); });
+}
+
 }  // namespace soffit::scene

@@ -6,6 +6,9 @@
 #include "core/photometry/intensity_distribution.h"
 #include "core/scene/scene.h"
 
+#include <algorithm>
+#include <vector>
+
 /// Equality of the scene's values, by content: what diff(), editBetween() and saving ask.
 /// Shared tables are compared by pointer first, then by content, so equal scenes that were loaded
 /// twice are equal. No tolerance: a value that was not edited is bit for bit the same.
@@ -27,5 +30,13 @@ bool same(const Quality& a, const Quality& b);
 bool same(const light::Luminaire& a, const light::Luminaire& b);
 bool same(const LuminaireEdit& a, const LuminaireEdit& b);
 bool same(const Layout& a, const Layout& b);
+
+/// Lists: in number, order and all that each says.
+template <class T>
+bool sameList(const std::vector<T>& a, const std::vector<T>& b) {
+  return std::ranges::equal(a, b, [](const T& x, const T& y) { return same(x, y); });
+}
+/// Everything but the names.
+bool sameReflectances(const std::vector<Material>& a, const std::vector<Material>& b);
 
 }  // namespace soffit::scene

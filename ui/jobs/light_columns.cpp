@@ -42,10 +42,7 @@ std::optional<LightColumns::Answer> LightColumns::paintedLight(
   const auto entry = std::ranges::find(entries_, layout, &Entry::layout);
   if (entry == entries_.end() || &entry->lighting->solver() == solver_.get()) return std::nullopt;
   if (luminaires.size() < kManyLuminaires) return std::nullopt;
-  if (!std::ranges::equal(entry->luminaires, luminaires,
-                          [](const auto& a, const auto& b) { return scene::same(a, b); })) {
-    return std::nullopt;
-  }
+  if (!scene::sameList(entry->luminaires, luminaires)) return std::nullopt;
   auto total = entry->lighting->totalUnder(*solver_);
   if (!total) return std::nullopt;
   Answer answer;
@@ -115,19 +112,9 @@ relight::Planes LightColumns::mixed(Entry& entry) {
   return total;
 }
 
-void LightColumns::forEachLight(const std::string& layout,
-                                const std::function<void(const relight::Planes&)>& visit) const {
+const relight::Lighting* LightColumns::lightingOf(const std::string& layout) const {
   const auto found = std::ranges::find(entries_, layout, &Entry::layout);
-  if (found == entries_.end()) return;
-  const relight::Lighting& lighting = *found->lighting;
-  relight::Planes one;
-  for (std::size_t i = 0; i < lighting.emitters().size(); ++i) {
-    const light::Emitter& emitter = lighting.emitters()[i];
-    for (auto& plane : one) plane.assign(solver_->operators().texels.slotCount(), 0.0F);
-    if (emitter.gain > 0.0) lighting.addTo(i, emitter.gain * emitter.color, one);
-    solver_->fill(one);
-    visit(one);
-  }
+  return found == entries_.end() ? nullptr : found->lighting.get();
 }
 
 Result<LightColumns::Answer> LightColumns::light(const std::string& layout,

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/relight/group_sums.h"
 #include "core/relight/lighting.h"
 #include "core/scene/scene.h"
-#include "ui/jobs/group_sums.h"
 
-#include <functional>
 #include <list>
 #include <memory>
 #include <optional>
@@ -46,9 +45,8 @@ class LightColumns {
   /// Errors: makeEmitter's; cancelled (what was computed until then is kept).
   Result<Answer> light(const std::string& layout, const std::vector<light::Luminaire>& luminaires,
                        std::optional<std::size_t> in_hand, const Job& job);
-  /// Calls `visit` with the light of each luminaire of a layout alone, as it was computed last.
-  void forEachLight(const std::string& layout,
-                    const std::function<void(const relight::Planes&)>& visit) const;
+  /// The light of a layout as it was computed last; null when it was not, or was dropped.
+  [[nodiscard]] const relight::Lighting* lightingOf(const std::string& layout) const;
 
  private:
   struct Entry {
@@ -57,7 +55,7 @@ class LightColumns {
     std::vector<light::Luminaire> luminaires;  ///< the state of `lighting`
     std::optional<std::size_t> grabbed;
     bool half_painted = false;  ///< a repaint was given up: reflections are old and new
-    GroupSums sums;
+    relight::GroupSums sums;
     std::vector<bool> changed;  ///< since the sums were made
   };
   Entry& entryOf(const std::string& layout);

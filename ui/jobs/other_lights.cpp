@@ -9,15 +9,6 @@
 #include <utility>
 
 namespace soffit::ui {
-namespace {
-
-bool sameLuminaires(const std::vector<light::Luminaire>& a,
-                    const std::vector<light::Luminaire>& b) {
-  return std::ranges::equal(
-      a, b, [](const light::Luminaire& x, const light::Luminaire& y) { return scene::same(x, y); });
-}
-
-}  // namespace
 
 OtherLights::OtherLights(Document& document, Relighting& relighting, QObject* parent)
     : QObject(parent), document_(document), relighting_(relighting) {
@@ -52,7 +43,7 @@ bool OtherLights::isCurrent(const QString& layout) const {
   const auto known = known_.find(layout);
   return known != known_.end() && relighting_.frame() != nullptr &&
          known->second.frame->solver == relighting_.frame()->solver &&
-         sameLuminaires(known->second.luminaires, luminairesOf(layout));
+         scene::sameList(known->second.luminaires, luminairesOf(layout));
 }
 
 void OtherLights::keepShown() {

@@ -18,11 +18,28 @@ double luxAt(const ProbePlace& place, const relight::Planes& lux) {
   return sum;
 }
 
+/// Of one luminaire alone.
+double luxAt(const ProbePlace& place, const relight::Lighting& lighting, std::size_t i) {
+  const relight::WeightedColumn light{&lighting.column(i), lighting.weight(i)};
+  if (light.weight == dvec3(0.0)) return 0.0;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < place.slots.size(); ++k) {
+    sum += static_cast<double>(place.weights[k]) *
+           color::luminance(relight::luxAt(light, lighting.solver().operators(), place.slots[k]));
+  }
+  return sum;
+}
+
 }  // namespace
+
+std::vector<std::vector<double>> ProbeShares::last(const std::vector<io::Probe>& probes,
+                                                   const std::string& layout) const {
+  return probes == probes_ && layout == layout_ ? shares_ : std::vector<std::vector<double>>{};
+}
 
 bool ProbeShares::knows(const std::vector<io::Probe>& probes, const LightColumns& columns,
                         const std::string& layout, std::size_t in_hand) const {
-  return probes == probes_ && layout == layout_ && columns.solver().get() == solver_ &&
+  return probes == probes_ && layout == layout_ && columns.solver() == solver_ &&
          std::ranges::all_of(shares_,
                              [&](const auto& own) { return own.empty() || in_hand < own.size(); });
 }
@@ -50,15 +67,18 @@ std::vector<std::vector<double>> ProbeShares::of(const std::vector<io::Probe>& p
   }
   probes_ = probes;
   layout_ = layout;
-  solver_ = columns.solver().get();
+  solver_ = columns.solver();
   places_.clear();
   for (const io::Probe& probe : probes) places_.push_back(placeOf(probe, *columns.solver()));
   shares_.assign(probes.size(), {});
-  columns.forEachLight(layout, [&](const relight::Planes& one) {
-    for (std::size_t p = 0; p < places_.size(); ++p) {
-      if (places_[p]) shares_[p].push_back(luxAt(*places_[p], one));
+  const relight::Lighting* lighting = columns.lightingOf(layout);
+  if (lighting == nullptr) return shares_;
+  for (std::size_t p = 0; p < places_.size(); ++p) {
+    if (!places_[p]) continue;
+    for (std::size_t i = 0; i < lighting->emitters().size(); ++i) {
+      shares_[p].push_back(luxAt(*places_[p], *lighting, i));
     }
-  });
+  }
   return shares_;
 }
 

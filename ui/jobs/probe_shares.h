@@ -4,6 +4,7 @@
 #include "ui/jobs/light_columns.h"
 #include "ui/jobs/light_frame.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,8 +13,8 @@ namespace soffit::ui {
 
 /// Who lights the probes: the light of each luminaire at each of them, as the picture shows it.
 ///
-/// Costs a sum over the building per luminaire, except while one is in hand: all others stay as
-/// they were and it has the rest. Belongs to one thread.
+/// While one luminaire is in hand all others stay as they were and it has the rest. Belongs to one
+/// thread.
 class ProbeShares {
  public:
   /// Lux per probe and luminaire, in the order of both; empty for a probe on no lit surface.
@@ -22,6 +23,9 @@ class ProbeShares {
                                       const LightColumns& columns, const std::string& layout,
                                       const relight::Planes& lux,
                                       std::optional<std::size_t> in_hand);
+  /// As computed last for these probes, for a picture that is shown until they follow; else empty.
+  [[nodiscard]] std::vector<std::vector<double>> last(const std::vector<io::Probe>& probes,
+                                                      const std::string& layout) const;
 
  private:
   [[nodiscard]] bool knows(const std::vector<io::Probe>& probes, const LightColumns& columns,
@@ -30,7 +34,7 @@ class ProbeShares {
 
   std::vector<io::Probe> probes_;
   std::string layout_;
-  const relight::Solver* solver_ = nullptr;  ///< to compare alone
+  std::shared_ptr<const relight::Solver> solver_;
   std::vector<std::optional<ProbePlace>> places_;
   std::vector<std::vector<double>> shares_;
 };

@@ -22,17 +22,6 @@ constexpr std::uint64_t kSeed = 1;
 /// first.
 constexpr std::chrono::milliseconds kPace(80);
 
-bool samePlanes(const std::vector<scene::WorkPlane>& a, const std::vector<scene::WorkPlane>& b) {
-  return std::ranges::equal(
-      a, b, [](const scene::WorkPlane& x, const scene::WorkPlane& y) { return scene::same(x, y); });
-}
-
-bool sameLuminaires(const std::vector<light::Luminaire>& a,
-                    const std::vector<light::Luminaire>& b) {
-  return std::ranges::equal(
-      a, b, [](const light::Luminaire& x, const light::Luminaire& y) { return scene::same(x, y); });
-}
-
 /// The layouts that are listed: the base counts where it is shown, wanted or stands alone.
 std::vector<std::string> listed(const ReadingsRequest& request) {
   const auto& layouts = request.scene->layouts;
@@ -101,7 +90,7 @@ bool ReadingsWorker::prepare(const ReadingsRequest& request) {
   const auto quality = relight::qualitySettings(request.scene->quality);
   if (!quality) return false;  // told by those who compute the light
   if (!sensors_ || rays_ != quality->sensor_rays ||
-      !samePlanes(planes_, request.scene->work_planes)) {
+      !scene::sameList(planes_, request.scene->work_planes)) {
     planes_ = request.scene->work_planes;
     rays_ = quality->sensor_rays;
     sensors_.emplace(design::sensorsOfAll(planes_), rays_, kSeed);
@@ -168,7 +157,7 @@ void ReadingsWorker::serve(const ReadingsRequest& request, const std::stop_token
     const auto known =
         std::ranges::find_if(known_, [&](const Known& k) { return k.reading.layout == name; });
     const bool first = name == request.shown;
-    if (known != known_.end() && sameLuminaires(known->luminaires, luminaires)) {
+    if (known != known_.end() && scene::sameList(known->luminaires, luminaires)) {
       known->reading.current = true;
     } else if (!first && (request.dragging || superseded())) {
       if (known != known_.end()) known->reading.current = false;

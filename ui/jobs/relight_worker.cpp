@@ -16,13 +16,6 @@ double millisecondsSince(std::chrono::steady_clock::time_point start) {
       .count();
 }
 
-bool sameReflectances(const std::vector<scene::Material>& a,
-                      const std::vector<scene::Material>& b) {
-  return std::ranges::equal(a, b, [](const scene::Material& x, const scene::Material& y) {
-    return scene::sameReflectance(x, y);
-  });
-}
-
 }  // namespace
 
 RelightWorker::RelightWorker(bool use_cache, QObject* parent)
@@ -156,7 +149,7 @@ void RelightWorker::ensureBake(const LightRequest& request) {
 }
 
 void RelightWorker::ensureMaterials(const LightRequest& request) {
-  if (sameReflectances(materials_, request.scene->materials)) return;
+  if (scene::sameReflectances(materials_, request.scene->materials)) return;
   materials_ = request.scene->materials;
   columns_.repaint(columns_.solver()->repainted(materials_));
 }
@@ -200,7 +193,9 @@ void RelightWorker::serve(const LightRequest& request, const std::stop_token& st
   columns_.keep(request.layout);
   const auto start = Clock::now();
   if (auto painted = columns_.paintedLight(request.layout, request.luminaires)) {
-    publish(std::make_shared<const LightFrame>(frameOf(request, std::move(*painted), start)));
+    LightFrame frame = frameOf(request, std::move(*painted), start);
+    frame.shares = shares_.last(request.probes, request.layout);
+    publish(std::make_shared<const LightFrame>(std::move(frame)));
   }
   if (LightFramePtr frame = lightOf(request, stop)) publish(std::move(frame));
 }

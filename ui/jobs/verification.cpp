@@ -12,18 +12,11 @@
 namespace soffit::ui {
 namespace {
 
-template <class T>
-bool allSame(const std::vector<T>& a, const std::vector<T>& b) {
-  return std::ranges::equal(a, b, [](const T& x, const T& y) { return scene::same(x, y); });
-}
-
 /// Whether light and the points at which it is verified are the same.
 bool sameForLight(const scene::Scene& a, const scene::Scene& b) {
-  const bool paint = std::ranges::equal(a.materials, b.materials, [](const auto& x, const auto& y) {
-    return scene::sameReflectance(x, y);
-  });
-  return paint && allSame(a.work_planes, b.work_planes) && scene::same(a.quality, b.quality) &&
-         (a.mesh == b.mesh || scene::same(*a.mesh, *b.mesh));
+  const bool paint = scene::sameReflectances(a.materials, b.materials);
+  return paint && scene::sameList(a.work_planes, b.work_planes) &&
+         scene::same(a.quality, b.quality) && (a.mesh == b.mesh || scene::same(*a.mesh, *b.mesh));
 }
 
 }  // namespace
@@ -42,7 +35,7 @@ Verification::~Verification() {
 }
 
 bool Verification::isOfNow(const VerifiedLight& light) const {
-  return allSame(light.luminaires, document_.litLuminaires()) &&
+  return scene::sameList(light.luminaires, document_.litLuminaires()) &&
          (light.scene == document_.scene() || sameForLight(*light.scene, *document_.scene()));
 }
 

@@ -24,10 +24,10 @@ class LightColumnsTest : public QObject {
     solver_ = *relight::makeSolver(scene_, *quality, false, {}, report);
     light::Luminaire l = scene_.luminaires.front();
     l.dimming = 1.0;
-    for (const char* group : {"A", "A", "B"}) {
+    for (const char* group : {"A", "A", "B", "A", "A", "A"}) {  // sums are made of more than three
       l.name = std::to_string(luminaires_.size());
       l.group = group;
-      l.position.x += 0.1;
+      l.position.x += 0.05;
       luminaires_.push_back(l);
     }
   }

@@ -1,25 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "ui/jobs/group_sums.h"
-
-#include "core/base/parallel.h"
+#include "core/relight/group_sums.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 
-namespace soffit::ui {
+namespace soffit::relight {
 namespace {
 
 /// Two factors are one when they differ by no more than the rounding of their division.
 constexpr double kSameFactor = 1e-9;
 /// Each leaves about 1e-7 of its light behind: together still less than a hundred-thousandth.
 constexpr std::size_t kMostDifferences = 64;
-
-dvec3 weightOf(const relight::Lighting& lighting, std::size_t i) {
-  const light::Emitter& e = lighting.emitters()[i];
-  return e.gain * e.color;
-}
+/// A sum is read in three channels, a luminaire in one.
+constexpr std::size_t kFewMembers = 3;
 
 /// The factor per channel that leads from the old weights to the new ones, if there is one.
 std::optional<dvec3> factorBetween(const std::vector<dvec3>& before,
@@ -45,21 +40,20 @@ std::optional<dvec3> factorBetween(const std::vector<dvec3>& before,
 
 }  // namespace
 
-void GroupSums::make(Sum& sum, const relight::Lighting& lighting) {
-  const std::size_t slots = lighting.solver().operators().texels.slotCount();
-  for (auto& plane : sum.planes) plane.assign(slots, 0.0F);
-  sum.weights.clear();
+void GroupSums::make(Sum& sum, const Lighting& lighting) {
+  sum.light = noLight(lighting.solver().operators());
+  sum.made = true;
   sum.differences = 0;
-  for (const std::size_t i : sum.members) {
-    sum.weights.push_back(weightOf(lighting, i));
-    if (lighting.emitters()[i].gain <= 0.0) continue;
-    lighting.addTo(i, sum.weights.back(), sum.planes);
+  for (std::size_t k = 0; k < sum.members.size(); ++k) {
+    if (sum.weights[k] == dvec3(0.0)) continue;
+    addTo(sum.light, {&lighting.column(sum.members[k]), sum.weights[k]},
+          lighting.solver().operators());
     ++added_;
   }
 }
 
-/// Adds what changed to the sum; false when it is better made anew.
-bool GroupSums::adjust(Sum& sum, const relight::Lighting& lighting, const std::vector<dvec3>& now) {
+/// Adds what changed to the sum; false when it is better left.
+bool GroupSums::adjust(Sum& sum, const Lighting& lighting, const std::vector<dvec3>& now) {
   std::vector<std::size_t> others;
   bool dark = true;
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -69,8 +63,10 @@ bool GroupSums::adjust(Sum& sum, const relight::Lighting& lighting, const std::v
   // In the dark there is to be no light at all, not even what rounding leaves.
   if (dark || 2 * others.size() > now.size()) return false;
   if (sum.differences + others.size() > kMostDifferences) return false;
+  if (!sum.made) make(sum, lighting);
   for (const std::size_t i : others) {
-    lighting.addTo(sum.members[i], now[i] - sum.weights[i], sum.planes);
+    addTo(sum.light, {&lighting.column(sum.members[i]), now[i] - sum.weights[i]},
+          lighting.solver().operators());
     ++added_;
   }
   sum.differences += others.size();
@@ -78,9 +74,8 @@ bool GroupSums::adjust(Sum& sum, const relight::Lighting& lighting, const std::v
   return true;
 }
 
-relight::Planes GroupSums::total(const relight::Lighting& lighting,
-                                 const std::vector<std::string>& groups,
-                                 const std::vector<bool>& changed) {
+Planes GroupSums::total(const Lighting& lighting, const std::vector<std::string>& groups,
+                        const std::vector<bool>& changed) {
   added_ = 0;
   std::map<std::string, std::vector<std::size_t>> members;
   for (std::size_t i = 0; i < groups.size(); ++i) members[groups[i]].push_back(i);
@@ -89,35 +84,42 @@ relight::Planes GroupSums::total(const relight::Lighting& lighting,
     return now == members.end() || now->second != sum.members ||
            std::ranges::any_of(sum.members, [&](std::size_t i) { return changed[i]; });
   });
-  const std::size_t slots = lighting.solver().operators().texels.slotCount();
-  relight::Planes total;
-  for (auto& plane : total) plane.assign(slots, 0.0F);
+  std::vector<WeightedColumn> single;
+  const auto mixMembers = [&](const std::vector<std::size_t>& list) {
+    for (const std::size_t i : list) {
+      if (lighting.weight(i) == dvec3(0.0)) continue;
+      single.push_back({&lighting.column(i), lighting.weight(i)});
+      ++added_;
+    }
+  };
+  sums_.reserve(members.size());  // their addresses are handed on
+  std::vector<WeightedSum> factored;
   for (const auto& [group, list] : members) {
-    auto sum = std::ranges::find(sums_, group, &Sum::group);
-    if (sum == sums_.end()) {
-      sums_.push_back({group, list, {}, {}, 0});
-      sum = std::prev(sums_.end());
-      make(*sum, lighting);
+    if (list.size() <= kFewMembers) {
+      mixMembers(list);
+      continue;
     }
     std::vector<dvec3> now;
-    for (const std::size_t i : list) now.push_back(weightOf(lighting, i));
-    auto factor = factorBetween(sum->weights, now);
-    if (!factor) {
-      if (!adjust(*sum, lighting, now)) make(*sum, lighting);
-      factor = dvec3(1.0);
+    for (const std::size_t i : list) now.push_back(lighting.weight(i));
+    auto sum = std::ranges::find(sums_, group, &Sum::group);
+    if (sum == sums_.end()) {
+      sums_.push_back({group, list, now, {}, false, 0});
+      mixMembers(list);
+      continue;
     }
-    for (int c = 0; c < 3; ++c) {
-      const auto f = static_cast<float>((*factor)[c]);
-      if (f == 0.0F) continue;
-      const auto& from = sum->planes[static_cast<std::size_t>(c)];
-      auto& to = total[static_cast<std::size_t>(c)];
-      parallelFor(slots, 16384, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t s = begin; s < end; ++s) to[s] += f * from[s];
-      });
+    if (const auto factor = factorBetween(sum->weights, now)) {
+      if (!sum->made) make(*sum, lighting);
+      factored.push_back({&sum->light, *factor});
+    } else if (adjust(*sum, lighting, now)) {
+      factored.push_back({&sum->light, dvec3(1.0)});
+    } else {
+      *sum = {group, list, now, {}, false, 0};
+      mixMembers(list);
     }
   }
-  lighting.solver().fill(total);
+  Planes total;
+  spread(factored, single, lighting.solver().operators(), total);
   return total;
 }
 
-}  // namespace soffit::ui
+}  // namespace soffit::relight
