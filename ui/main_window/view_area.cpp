@@ -14,8 +14,6 @@ ViewArea::ViewArea(QWidget* parent)
     : QWidget(parent),
       grid_(new ViewGrid(*this)),
       comparison_(new ComparisonView(view(), *this)),
-      errors_(new ErrorMap(view())),
-      marks_(new LuxOverlay(view())),
       legend_(new Legend(this)),
       profile_(new ProfileChart(this)),
       notice_(new QLabel(this)) {
@@ -30,6 +28,17 @@ ViewArea::ViewArea(QWidget* parent)
   connect(legend_, &Legend::editRequested, this, &ViewArea::scaleRequested);
   connect(comparison_, &ComparisonView::layoutChanged, this, &ViewArea::layOut);
   connect(grid_, &ViewGrid::arrangementChanged, this, &ViewArea::layOut);
+  addOverlays();
+  // The first to hear: whoever hears it after finds them there.
+  connect(grid_, &ViewGrid::shownChanged, this, &ViewArea::addOverlays);
+}
+
+void ViewArea::addOverlays() {
+  while (overlays_.size() < grid_->count()) {
+    SceneView& view = grid_->pane(overlays_.size()).view();
+    auto* errors = new ErrorMap(view, overlays_.empty());
+    overlays_.push_back({errors, new LuxOverlay(view)});
+  }
 }
 
 Result<void> ViewArea::setLook(const Look& look, const std::vector<double>& levels, bool values) {
@@ -37,7 +46,7 @@ Result<void> ViewArea::setLook(const Look& look, const std::vector<double>& leve
   plane_levels_ = levels;
   plane_values_ = values;
   showLegend();
-  marks_->refresh();
+  for (const Overlay& overlay : overlays_) overlay.marks->refresh();
   return set;
 }
 

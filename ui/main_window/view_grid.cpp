@@ -78,6 +78,7 @@ void ViewGrid::addPane() {
   input->setDocument(document_);
   pane->bar().setLayouts(layouts_);
   connect(pane, &ViewPane::layoutChanged, this, &ViewGrid::follow);
+  connect(pane, &ViewPane::layoutChanged, this, &ViewGrid::shownChanged);
 }
 
 bool ViewGrid::eventFilter(QObject* watched, QEvent* event) {
@@ -116,6 +117,7 @@ void ViewGrid::showPanes(std::size_t count) {
     if (!shown) panes_[i]->input().setTool(nullptr);
     panes_[i]->setVisible(shown);
   }
+  Q_EMIT shownChanged();
 }
 
 void ViewGrid::layOut(const QRect& area, bool alone) {
@@ -222,7 +224,18 @@ void ViewGrid::showLight(ViewPane& pane) {
     view.setLuminaires(others_.luminaires(*pane.layout()));
   }
   if (lit) view.shareMesh(main);
-  if (changed) view.setFrame(frame);
+  if (changed) showFrame(view, frame);
+}
+
+/// One view computes the light of the mesh's corners, the others take it over.
+void ViewGrid::showFrame(SceneView& view, const LightFramePtr& frame) {
+  for (std::size_t i = 0; i < shown_; ++i) {
+    SceneView& other = panes_[i]->view();
+    if (&other == &view || other.frame() != frame) continue;
+    view.setFrameOf(other);
+    return;
+  }
+  view.setFrame(frame);
 }
 
 void ViewGrid::setLayouts(const QStringList& names, const QString& edited) {
@@ -245,7 +258,7 @@ void ViewGrid::follow() {
     }
     SceneView& view = first().view();
     if (view.luminaires() != luminaires_) view.setLuminaires(luminaires_);
-    if (frame_ != nullptr && view.frame() != frame_) view.setFrame(frame_);
+    if (frame_ != nullptr && view.frame() != frame_) showFrame(view, frame_);
   }
 }
 

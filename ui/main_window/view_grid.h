@@ -74,6 +74,8 @@ class ViewGrid : public QObject {
 
  Q_SIGNALS:
   void arrangementChanged();
+  /// Other views are shown, or a view shows another layout.
+  void shownChanged();
   void activeChanged();
   /// A saved camera was chosen for the active view.
   void cameraChosen(const QString& name);
@@ -88,6 +90,7 @@ class ViewGrid : public QObject {
   /// Gives a view what the grid shows.
   void bringUpToDate(ViewPane& pane);
   void showLight(ViewPane& pane);
+  void showFrame(SceneView& view, const LightFramePtr& frame);
   [[nodiscard]] bool showsOther(const ViewPane& pane) const {
     return pane.layout() && *pane.layout() != edited_ && others_.frame != nullptr;
   }

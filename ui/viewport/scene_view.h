@@ -8,6 +8,7 @@
 #include "ui/viewport/look.h"
 #include "ui/viewport/pointing.h"
 #include "ui/viewport/shot.h"
+#include "ui/viewport/still.h"
 #include "ui/viewport/view_camera.h"
 #include "ui/viewport/vtk_view.h"
 
@@ -24,6 +25,12 @@ class SceneView : public VtkView {
   Q_OBJECT
 
  public:
+  /// Of the lines that a flat view draws: the cut, and luminaires seen on their dark side.
+  static constexpr vec3 kCutColor{0.62F, 0.66F, 0.72F};
+  static constexpr float kCutWidth = 1.6F;
+  static constexpr vec3 kPlanColor{0.95F, 0.86F, 0.62F};
+  static constexpr float kPlanWidth = 1.2F;
+
   explicit SceneView(QWidget* parent = nullptr);
   ~SceneView() override;
 
@@ -32,6 +39,8 @@ class SceneView : public VtkView {
   /// Finished light. The mesh of a new solver is cut in the background; until then the old light
   /// stays.
   void setFrame(LightFramePtr frame);
+  /// The light that another view of the building shows; with its mesh, at no further cost.
+  void setFrameOf(SceneView& other);
   void setLuminaires(std::shared_ptr<const EmitterSet> luminaires);
   void setSelection(const QStringList& names);
   /// The luminaire under the mouse, empty for none.
@@ -80,6 +89,9 @@ class SceneView : public VtkView {
   /// Another picture of the building than the one on the screen; that stays as it is. Without an
   /// image before there is light, and for light of another solver.
   Picture take(const Shot& shot);
+  /// The same for another thread to make (StillRenderer), without marks; nothing where take() has
+  /// no image.
+  [[nodiscard]] std::optional<Still> still(const Shot& shot);
   /// Shows the building with the mesh that another view of it has cut already.
   void shareMesh(const SceneView& other);
   /// The solver whose mesh is shown; null before there is one.
@@ -108,6 +120,7 @@ class SceneView : public VtkView {
   void onMeshFinished();
   void showLight();
   void lightBuilding(const LightFrame& frame);
+  void smoothLines();
   void placeCamera();
   void drawLuminaires();
   void updateOverlay();
@@ -153,6 +166,7 @@ class SceneView : public VtkView {
   GizmoTool tool_ = GizmoTool::move;
   bool gizmo_shown_ = true;
   GizmoPart highlight_ = GizmoPart::none;
+  bool lit_from_frame_ = false;  ///< what is drawn is frame_, not what came before it
   bool light_pending_ = false;
   bool moving_ = false;
   bool drew_scaled_ = false;
