@@ -135,6 +135,7 @@ void ProjectFiles::begin(ProjectSession& session) {
     Shot shot;
     shot.pixels = kThumbnail;
     shot.samples = kThumbnailSamples;
+    shot.look = plain(workspace_.area->view().look());
     return workspace_.area->view().take(shot).image;
   });
   connect(autosave_.get(), &Autosave::failed, workspace_.log, &LogPanel::addWarning);

@@ -39,8 +39,11 @@ class ViewGrid : public QObject {
   [[nodiscard]] ViewPane& pane(std::size_t i) { return *panes_[i]; }
   [[nodiscard]] Arrangement arrangement() const { return arrangement_; }
   void setArrangement(Arrangement arrangement);
-  /// Lays the views out. alone: the first has all of it, whatever the arrangement.
-  void layOut(const QRect& area, bool alone);
+  /// Lays the views out. alone: the first has all of it, whatever the arrangement; its bar leaves
+  /// `above` px free at the upper edge.
+  void layOut(const QRect& area, bool alone, int above = 0);
+  /// How many views there are when a comparison does not take their place.
+  [[nodiscard]] std::size_t arranged() const;
   /// What is seen between the views: the frame of the active one.
   void paint(QPainter& painter) const;
 
@@ -108,6 +111,7 @@ class ViewGrid : public QObject {
   double across_ = 0.5;  ///< share of the left views, and of the upper ones
   double down_ = 0.5;
   bool alone_ = false;
+  QRect laid_;  ///< the part of the area that they have
   QTimer follow_;
   Document* document_ = nullptr;
   std::shared_ptr<const scene::Scene> scene_;

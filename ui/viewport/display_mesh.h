@@ -54,6 +54,9 @@ struct DisplayMesh {
   /// Which vertices an edge joins: for isolux lines.
   std::shared_ptr<const design::Neighbours> neighbours;
 
+  /// Per triangle of the building (solidTriangles()); null: not known.
+  std::shared_ptr<const std::vector<std::uint8_t>> solid;
+
   [[nodiscard]] std::size_t vertexCount() const { return positions.size(); }
 };
 

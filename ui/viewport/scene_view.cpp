@@ -26,6 +26,7 @@ SceneView::SceneView(QWidget* parent) : VtkView(parent) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   gizmo_ = std::make_unique<GizmoActor>(overlay());
+  cut_hatch_ = std::make_unique<OutlineActor>(overlay(), kHatchColor, kHatchWidth);
   cut_outline_ = std::make_unique<OutlineActor>(overlay(), kCutColor, kCutWidth);
   plan_outline_ = std::make_unique<OutlineActor>(overlay(), kPlanColor, kPlanWidth);
   hovered_outline_ = std::make_unique<OutlineActor>(overlay(), kHoveredColor, 1.5F);

@@ -25,9 +25,12 @@ class SceneView : public VtkView {
   Q_OBJECT
 
  public:
-  /// Of the lines that a flat view draws: the cut, and luminaires seen on their dark side.
+  /// Of the lines that a flat view draws: the cut and the hatching of what it cuts, and luminaires
+  /// seen on their dark side.
   static constexpr vec3 kCutColor{0.62F, 0.66F, 0.72F};
   static constexpr float kCutWidth = 1.6F;
+  static constexpr vec3 kHatchColor{0.40F, 0.43F, 0.48F};
+  static constexpr float kHatchWidth = 1.0F;
   static constexpr vec3 kPlanColor{0.95F, 0.86F, 0.62F};
   static constexpr float kPlanWidth = 1.2F;
 
@@ -134,6 +137,7 @@ class SceneView : public VtkView {
   [[nodiscard]] std::vector<const light::Emitter*> selectedEmitters() const;
   [[nodiscard]] std::vector<vec3> planOutlines() const;
   [[nodiscard]] std::vector<vec3> cutLines() const;
+  [[nodiscard]] std::vector<vec3> cutHatch() const;
   /// Per luminaire; empty: the view cuts none away.
   [[nodiscard]] std::vector<bool> cutAwayLuminaires() const;
   [[nodiscard]] std::vector<vec3> outlines(const QStringList& names) const;
@@ -155,12 +159,14 @@ class SceneView : public VtkView {
   /// What the lines of the cut were drawn for.
   struct CutDrawn {
     const geometry::Mesh* mesh = nullptr;
+    const void* solid = nullptr;
     int axis = 0;
     double place = 0.0;
     bool cuts = false;
     bool operator==(const CutDrawn&) const = default;
   };
   CutDrawn cut_drawn_;
+  std::unique_ptr<OutlineActor> cut_hatch_;
   std::unique_ptr<OutlineActor> cut_outline_;
   std::unique_ptr<OutlineActor> plan_outline_;  ///< luminaires seen on their dark side from above
   GizmoTool tool_ = GizmoTool::move;

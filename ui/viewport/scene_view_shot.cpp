@@ -107,7 +107,9 @@ std::optional<Still> SceneView::still(const Shot& shot) {
                 view_.isParallel() ? view_.cut_depth : 0.0);
   still.look = shot.look.value_or(look_);
   if (view_.isParallel()) {
-    still.lines = {{cutLines(), kCutColor, kCutWidth}, {planOutlines(), kPlanColor, kPlanWidth}};
+    still.lines = {{cutHatch(), kHatchColor, kHatchWidth},
+                   {cutLines(), kCutColor, kCutWidth},
+                   {planOutlines(), kPlanColor, kPlanWidth}};
   }
   still.view_height = height();
   still.font = font();
