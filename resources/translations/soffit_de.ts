@@ -563,6 +563,26 @@
         <source>Probes</source>
         <translation>Messpunkte</translation>
     </message>
+    <message>
+        <source>Pictures on this machine are at most %1 × %2 pixels</source>
+        <translation>Bilder sind auf diesem Rechner höchstens %1 × %2 Pixel groß</translation>
+    </message>
+    <message>
+        <source>Choose a smaller size.</source>
+        <translation>Wählen Sie eine kleinere Größe.</translation>
+    </message>
+    <message>
+        <source>The graphics driver gives no second OpenGL context</source>
+        <translation>Der Grafiktreiber gibt keinen zweiten OpenGL-Kontext her</translation>
+    </message>
+    <message>
+        <source>Take the picture with “soffit render”, or as a screenshot.</source>
+        <translation>Nehmen Sie das Bild mit „soffit render“ auf, oder als Bildschirmfoto.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a picture of this size</source>
+        <translation>Der Speicher reicht nicht für ein Bild dieser Größe</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::AboutDialog</name>
@@ -2792,6 +2812,17 @@
     <message>
         <source>Save views in the Cameras panel: the set takes a picture from each.</source>
         <translation>Speichern Sie Ansichten im Fenster „Kameras“: Die Serie nimmt aus jeder ein Bild auf.</translation>
+    </message>
+    <message>
+        <source>There is no light to take a picture of yet. Wait until the first light is computed.</source>
+        <translation>Es gibt noch kein Licht, das sich aufnehmen ließe. Warten Sie, bis das erste Licht berechnet ist.</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::PictureJob</name>
+    <message>
+        <source>There is not enough memory for a picture of %1 × %2 pixels. Choose a smaller size.</source>
+        <translation>Der Speicher reicht nicht für ein Bild von %1 × %2 Pixeln. Wählen Sie eine kleinere Größe.</translation>
     </message>
 </context>
 <context>

@@ -38,7 +38,7 @@ RecoveryDialog::RecoveryDialog(const QList<Recovery>& recoveries, QWidget* paren
     list_->addItem(new QListWidgetItem(
         icon,
         tr("%1\n%2\n%3")
-            .arg(recovery.name, QLocale::system().toString(recovery.saved, QLocale::ShortFormat),
+            .arg(recovery.name, QLocale().toString(recovery.saved, QLocale::ShortFormat),
                  QDir::toNativeSeparators(recovery.path))));
   }
   list_->setCurrentRow(0);

@@ -6,6 +6,8 @@
 #include "ui/document/step.h"
 #include "ui/document/text.h"
 
+#include <QSet>
+
 #include <algorithm>
 #include <utility>
 
@@ -45,9 +47,14 @@ void Document::setLayout(const QString& name) {
 }
 
 void Document::setSelection(const QStringList& names) {
+  // Each name once, as far as it is there; told at every place of a drag, with hundreds of them.
+  QSet<QString> there;
+  if (!names.isEmpty()) {
+    for (const light::Luminaire& l : luminaires_) there.insert(toQt(l.name));
+  }
   QStringList known;
   for (const QString& name : names) {
-    if (luminaire(name) != nullptr && !known.contains(name)) known.append(name);
+    if (there.remove(name)) known.append(name);
   }
   if (known == selection_) return;
   selection_ = known;

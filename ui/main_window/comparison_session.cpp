@@ -229,6 +229,7 @@ void ComparisonSession::takeThumbnail() {
     shot.luminaires = std::make_shared<const EmitterSet>(lights_.luminairesOf(layout),
                                                          document_.scene()->mesh->origin);
     shot.samples = kThumbnailSamples;
+    shot.look = plain(view.look());
     workspace_.layouts->setThumbnail(layout, view.take(shot).image);
     break;
   }

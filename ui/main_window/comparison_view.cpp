@@ -119,6 +119,10 @@ void ComparisonView::showNames() {
   second_name_->setVisible(pair);
 }
 
+int ComparisonView::barEnd() const {
+  return mode_ == ComparisonMode::off ? 0 : bar_->y() + bar_->height();
+}
+
 QRect ComparisonView::layOut(const QRect& area) {
   QRect first = area;
   QRect clip = area;
@@ -140,8 +144,8 @@ QRect ComparisonView::layOut(const QRect& area) {
   second_name_->move(mode_ == ComparisonMode::split ? area.right() - kMargin - second_name_->width()
                                                     : clip.left() + kMargin,
                      bottom);
-  bar_->adjustSize();
-  bar_->move((area.width() - bar_->width()) / 2, kMargin);
+  const QSize bar = bar_->sizeHint().boundedTo({area.width(), area.height()});
+  bar_->setGeometry((area.width() - bar.width()) / 2, kMargin, bar.width(), bar.height());
   for (QWidget* widget : {clip_, slider_}) widget->raise();
   for (QLabel* label : {first_name_, second_name_}) label->raise();
   bar_->raise();

@@ -31,6 +31,8 @@ class ComparisonView : public QObject {
   [[nodiscard]] double split() const { return split_; }
   void setSplit(double place);
   void setNames(const QString& first, const QString& second);
+  /// How far down from the area's upper edge its bar reaches, px; 0 without one.
+  [[nodiscard]] int barEnd() const;
   /// Lays everything out in the area; returns what is left to the view.
   QRect layOut(const QRect& area);
 

@@ -2,6 +2,7 @@
 #include "ui/main_window/light_marks.h"
 
 #include "core/design/contours.h"
+#include "core/design/specks.h"
 #include "ui/document/text.h"
 #include "ui/widgets/quantity.h"
 
@@ -31,7 +32,8 @@ void addLines(const scene::WorkPlane& plane, std::span<const float> lux,
               const std::vector<double>& levels, LuxMarks& marks) {
   const std::vector<double> values(lux.begin(), lux.end());
   for (const double level : levels) {
-    for (const design::Contour& contour : design::contoursAt(values, plane.nu, plane.nv, level)) {
+    for (const design::Contour& contour : design::withoutSpecks(
+             design::contoursAt(values, plane.nu, plane.nv, level), values, plane.nu, level)) {
       LuxMarks::Line line;
       line.closed = contour.closed;
       line.level = level;
@@ -56,7 +58,6 @@ LightMarks::LightMarks(Document& document, Relighting& relighting, LiveReadings&
       relighting_(relighting),
       readings_(readings),
       workspace_(workspace),
-      drag_(workspace.area->view()),
       probes_(document.probes()) {
   workspace_.probes->setDocument(&document_);
   connect(&readings_, &LiveReadings::changed, this, &LightMarks::refresh);
@@ -83,18 +84,49 @@ LightMarks::LightMarks(Document& document, Relighting& relighting, LiveReadings&
   });
   connect(&workspace_.area->profile(), &ProfileChart::closeRequested, this,
           [this] { setCut(std::nullopt); });
-  connect(&drag_, &ProbeDrag::chosen, this,
-          [this](std::size_t probe) { workspace_.probes->choose(static_cast<int>(probe)); });
-  connect(&drag_, &ProbeDrag::moved, this, &LightMarks::moveProbe);
-  connect(&drag_, &ProbeDrag::finished, this, [this] { endMove(true); });
-  connect(&drag_, &ProbeDrag::canceled, this, [this] { endMove(false); });
+  connect(&workspace_.area->grid(), &ViewGrid::shownChanged, this, [this] {
+    addViews();
+    refresh();
+  });
+  addViews();
   refresh();
+}
+
+void LightMarks::addViews() {
+  ViewGrid& views = workspace_.area->grid();
+  while (drags_.size() < views.count()) {
+    const std::size_t i = drags_.size();
+    SceneView& view = views.pane(i).view();
+    drags_.push_back(std::make_unique<ProbeDrag>(view));
+    ProbeDrag* drag = drags_.back().get();
+    connect(drag, &ProbeDrag::chosen, this,
+            [this](std::size_t probe) { workspace_.probes->choose(static_cast<int>(probe)); });
+    connect(drag, &ProbeDrag::moved, this, &LightMarks::moveProbe);
+    connect(drag, &ProbeDrag::finished, this, [this] { endMove(true); });
+    connect(drag, &ProbeDrag::canceled, this, [this] { endMove(false); });
+    // In a drag the views that are only looked at follow when there is time, numbers and all.
+    connect(&view, &SceneView::lightShown, this, [this, i] {
+      if (document_.previewing() && !isUsed(i)) showMarks(i);
+    });
+  }
+}
+
+/// The first speaks for the legend, the active one is worked in.
+bool LightMarks::isUsed(std::size_t view) const {
+  ViewGrid& views = workspace_.area->grid();
+  return view == 0 || &views.pane(view) == &views.active();
+}
+
+void LightMarks::showMarks(std::size_t view) {
+  const auto& layout = workspace_.area->grid().pane(view).layout();
+  workspace_.area->marks(view).setMarks(marksOf(layout.value_or(document_.layout())));
 }
 
 LightMarks::~LightMarks() {
   workspace_.probes->setDocument(nullptr);
   workspace_.area->legend().setReading(std::nullopt);
-  workspace_.area->marks().setMarks({});
+  const std::size_t count = workspace_.area->grid().count();
+  for (std::size_t i = 0; i < count; ++i) workspace_.area->marks(i).setMarks({});
   workspace_.area->profile().hide();
 }
 
@@ -197,8 +229,13 @@ LuxMarks LightMarks::marksOf(const QString& layout) const {
 void LightMarks::refresh() {
   std::vector<dvec3> pins;
   for (const io::Probe& probe : probes_) pins.push_back(probe.position);
-  drag_.setPins(std::move(pins));
-  workspace_.area->marks().setMarks(marksOf(document_.layout()));
+  ViewGrid& views = workspace_.area->grid();
+  for (std::size_t i = 0; i < views.count(); ++i) {
+    const auto& layout = views.pane(i).layout();
+    const bool own = !layout || *layout == document_.layout();
+    drags_[i]->setPins(own ? pins : std::vector<dvec3>{});
+    if (!document_.previewing() || isUsed(i)) showMarks(i);
+  }
 }
 
 }  // namespace soffit::ui

@@ -9,7 +9,9 @@
 
 #include <QObject>
 
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace soffit::ui {
 
@@ -32,6 +34,10 @@ class LightMarks : public QObject {
 
  private:
   void refresh();
+  /// Over the views that are new.
+  void addViews();
+  [[nodiscard]] bool isUsed(std::size_t view) const;
+  void showMarks(std::size_t view);
   void addPlanes(const LayoutReading& reading, LuxMarks& marks) const;
   void addProbes(LuxMarks& marks) const;
   void moveProbe(std::size_t probe, const SurfaceReading& to);
@@ -43,8 +49,8 @@ class LightMarks : public QObject {
   Relighting& relighting_;
   LiveReadings& readings_;
   Workspace& workspace_;
-  ProbeDrag drag_;
-  std::vector<io::Probe> probes_;  ///< where they are now, one of them in hand
+  std::vector<std::unique_ptr<ProbeDrag>> drags_;  ///< per view
+  std::vector<io::Probe> probes_;                  ///< where they are now, one of them in hand
   std::optional<SurfaceReading> pointed_;
   std::optional<ProfileCut> cut_;
 };

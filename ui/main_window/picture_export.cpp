@@ -24,6 +24,13 @@ namespace {
 /// How often the light of a layout is looked for.
 constexpr int kWaitMs = 50;
 
+QString pathOf(const PictureSet& set, const QString& camera, const QString& layout) {
+  const std::string of_layout = toStd(layout.isEmpty() ? PictureExport::tr("Base") : layout);
+  const std::string of_camera = toStd(camera.isEmpty() ? PictureExport::tr("View") : camera);
+  const std::string stem = io::fileNameOf(of_layout) + ", " + io::fileNameOf(of_camera) + ".";
+  return QDir(set.folder).filePath(toQt(stem) + set.format);
+}
+
 QStringList layoutNames(const Document& document) {
   QStringList names{QString()};
   for (const scene::Layout& layout : document.scene()->layouts) names.append(toQt(layout.name));
@@ -38,6 +45,7 @@ PictureExport::PictureExport(Document& document, Workspace& workspace,
   connect(this, &PictureExport::written, workspace_.log,
           [this](const QString& path) { workspace_.log->addLine(tr("Wrote %1").arg(path)); });
   connect(workspace_.status, &StatusLine::cancelRequested, this, &PictureExport::cancel);
+  connect(&job_, &PictureJob::progressed, this, &PictureExport::showProgress);
 }
 
 QString PictureExport::titleOf(const render::PictureFacts& facts) const {
@@ -46,54 +54,96 @@ QString PictureExport::titleOf(const render::PictureFacts& facts) const {
   return parts.join(QStringLiteral(" \u2013 "));
 }
 
-PictureFile PictureExport::take(const QString& path, const QSize& pixels, const Wanted& wanted,
-                                bool linear) const {
+std::optional<PictureOrder> PictureExport::order(const Wanted& wanted) const {
   // What is seen, unless a camera is wanted.
   SceneView& view =
       wanted.camera.isEmpty() ? workspace_.area->active().view() : workspace_.area->view();
   Shot shot;
-  shot.pixels = pixels;
-  shot.linear = linear;
-  shot.lux = !view.look().levels.empty() && !linear;
+  shot.pixels = wanted.pixels;
+  shot.linear = !wanted.path.isEmpty() && io::isSceneLinear(toPath(wanted.path));
+  shot.lux = !view.look().levels.empty() && !shot.linear;
   for (const scene::Camera& camera : document_.scene()->cameras) {
     if (toQt(camera.name) == wanted.camera) shot.camera = ViewCamera::from(camera);
   }
   if (wanted.layout != document_.layout()) {
     shot.frame = comparison_.lights().frame(wanted.layout);
+    if (shot.frame == nullptr) return std::nullopt;
     shot.luminaires = std::make_shared<const EmitterSet>(
         comparison_.lights().luminairesOf(wanted.layout), document_.scene()->mesh->origin);
   }
+  auto still = view.still(shot);
+  if (!still) return std::nullopt;
+  still->marks = marks_.marksOf(wanted.layout);
+  still->font = workspace_.area->marks().font();
   PictureFile file;
-  file.path = path;
-  file.picture = view.take(shot);
-  workspace_.area->marks().paintInto(file.picture, marks_.marksOf(wanted.layout),
-                                     shot.camera.value_or(view.viewCamera()));
-  file.look = view.look();
+  file.path = wanted.path;
   file.facts = factsOf(document_, wanted.layout, wanted.camera);
-  return file;
+  file.legend = wanted.legend;
+  if (wanted.title) file.title = titleOf(file.facts);
+  return PictureOrder{std::move(*still), std::move(file)};
 }
 
-void PictureExport::write(PictureFile file) {
-  background_.run(
-      [this, file = std::make_shared<const PictureFile>(std::move(file))]() -> Background::End {
-        const auto done = writePictureFile(*file);
-        const QString message = done ? QString() : messageOf(done.error());
-        return [this, file, message] {
-          if (message.isEmpty()) {
-            Q_EMIT written(file->path);
-          } else {
-            Q_EMIT failed(message);
-          }
-        };
-      });
+void PictureExport::take(const Wanted& wanted) {
+  ++asked_;
+  if (auto ordered = order(wanted)) {
+    start(std::move(*ordered), wanted);
+    return;
+  }
+  PictureOutcome none;
+  none.error =
+      tr("There is no light to take a picture of yet. Wait until the first light is "
+         "computed.");
+  end(wanted, none);
+}
+
+void PictureExport::start(PictureOrder order, const Wanted& wanted) {
+  showProgress(0.0);
+  job_.take(std::move(order),
+            [this, wanted](const PictureOutcome& outcome) { end(wanted, outcome); });
+}
+
+void PictureExport::end(const Wanted& wanted, const PictureOutcome& outcome) {
+  ++ended_;
+  const bool good = outcome.error.isEmpty() && !outcome.cancelled;
+  if (!outcome.error.isEmpty()) {
+    asked_ -= static_cast<int>(left_.size());
+    left_.clear();
+  }
+  if (good && wanted.path.isEmpty()) {
+    QGuiApplication::clipboard()->setImage(outcome.image);
+    Q_EMIT copied();
+  } else if (good) {
+    Q_EMIT written(wanted.path);
+  }
+  if (wanted.of_set) {
+    set_drawing_ = false;
+    if (good) ++set_written_;
+    next();
+  }
+  endProgress();
+  if (!outcome.error.isEmpty()) Q_EMIT failed(outcome.error);
+}
+
+void PictureExport::endProgress() {
+  if (asked_ == 0 || ended_ < asked_) return;
+  asked_ = ended_ = 0;
+  workspace_.status->endProgress();
+}
+
+void PictureExport::showProgress(double within) {
+  if (asked_ == 0) return;  // of one that was given up
+  workspace_.status->showProgress(tr("taking pictures"),
+                                  (ended_ + within) / static_cast<double>(asked_));
 }
 
 void PictureExport::exportView(const QString& path, const QSize& pixels, bool legend, bool title) {
-  PictureFile file =
-      take(path, pixels, {QString(), document_.layout()}, io::isSceneLinear(toPath(path)));
-  file.legend = legend;
-  if (title) file.title = titleOf(file.facts);
-  write(std::move(file));
+  Wanted wanted;
+  wanted.layout = document_.layout();
+  wanted.path = path;
+  wanted.pixels = pixels;
+  wanted.legend = legend;
+  wanted.title = title;
+  take(wanted);
 }
 
 void PictureExport::exportView() {
@@ -112,9 +162,10 @@ void PictureExport::exportView() {
 }
 
 void PictureExport::copyView() {
-  PictureFile file = take({}, workspace_.area->active().view().pixelSize(),
-                          {QString(), document_.layout()}, false);
-  if (!file.picture.image.isNull()) QGuiApplication::clipboard()->setImage(decorated(file));
+  Wanted wanted;
+  wanted.layout = document_.layout();
+  wanted.pixels = workspace_.area->active().view().pixelSize();
+  take(wanted);
 }
 
 void PictureExport::exportSet() {
@@ -139,53 +190,47 @@ void PictureExport::exportSet() {
 }
 
 void PictureExport::exportSet(const PictureSet& set) {
-  set_ = set;
-  left_.clear();
   for (const QString& layout : set.layouts) {
-    for (const QString& camera : set.cameras) left_.push_back({camera, layout});
+    for (const QString& camera : set.cameras) {
+      left_.push_back(
+          {camera, layout, pathOf(set, camera, layout), set.pixels, set.legend, set.title, true});
+    }
   }
-  count_ = static_cast<int>(left_.size());
-  taken_ = 0;
+  asked_ += static_cast<int>(set.layouts.size() * set.cameras.size());
+  set_running_ = true;
   next();
 }
 
 void PictureExport::cancel() {
+  asked_ -= static_cast<int>(left_.size());
   left_.clear();
+  job_.cancel();
+  // A picture under way tells its end itself.
+  if (!set_drawing_) next();
+  endProgress();
 }
 
-QString PictureExport::pathOf(const Wanted& wanted) const {
-  const std::string layout = wanted.layout.isEmpty() ? toStd(tr("Base")) : toStd(wanted.layout);
-  const std::string camera = wanted.camera.isEmpty() ? toStd(tr("View")) : toStd(wanted.camera);
-  return QDir(set_.folder)
-      .filePath(toQt(io::fileNameOf(layout) + ", " + io::fileNameOf(camera) + ".") + set_.format);
-}
-
+/// The next picture of the set, as soon as its light is there.
 void PictureExport::next() {
+  if (!set_running_ || set_drawing_) return;
   if (left_.empty()) {
-    if (count_ == 0) return;
-    workspace_.status->endProgress();
-    Q_EMIT setFinished(std::exchange(taken_, 0));
-    count_ = 0;
+    set_running_ = false;
+    Q_EMIT setFinished(std::exchange(set_written_, 0));
     return;
   }
   const Wanted wanted = left_.front();
-  workspace_.status->showProgress(tr("taking pictures"),
-                                  static_cast<double>(taken_) / static_cast<double>(count_));
-  const bool drawn = workspace_.area->view().meshSolver() != nullptr &&
-                     comparison_.lights().isCurrent(wanted.layout);
-  if (drawn) {
-    const QString path = pathOf(wanted);
-    PictureFile file = take(path, set_.pixels, wanted, io::isSceneLinear(toPath(path)));
-    // A light of other reflectances than the mesh's: the mesh comes soon.
-    if (!file.picture.image.isNull()) {
-      file.legend = set_.legend;
-      if (set_.title) file.title = titleOf(file.facts);
-      write(std::move(file));
-      left_.pop_front();
-      ++taken_;
-    }
+  showProgress(0.0);
+  const bool lit = workspace_.area->view().meshSolver() != nullptr &&
+                   comparison_.lights().isCurrent(wanted.layout);
+  // A light of other reflectances than the mesh's: the mesh comes soon.
+  auto ordered = lit ? order(wanted) : std::nullopt;
+  if (!ordered) {
+    QTimer::singleShot(kWaitMs, this, &PictureExport::next);
+    return;
   }
-  QTimer::singleShot(drawn ? 0 : kWaitMs, this, &PictureExport::next);
+  left_.pop_front();
+  set_drawing_ = true;
+  start(std::move(*ordered), wanted);
 }
 
 }  // namespace soffit::ui

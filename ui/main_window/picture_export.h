@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "ui/actions/picture_file.h"
-#include "ui/jobs/background.h"
+#include "ui/actions/picture_job.h"
 #include "ui/main_window/comparison_session.h"
 #include "ui/main_window/light_marks.h"
 
@@ -11,6 +10,7 @@
 #include <QStringList>
 
 #include <deque>
+#include <optional>
 
 namespace soffit::ui {
 
@@ -26,7 +26,8 @@ struct PictureSet {
 };
 
 /// Pictures of a project's view: into files, into the clipboard, and sets over cameras and layouts.
-/// The set waits for the light of each layout and draws one picture per turn of the event loop.
+/// They are made in the background, from what the view was when they were asked for; a set waits
+/// for the light of each layout.
 class PictureExport : public QObject {
   Q_OBJECT
 
@@ -43,37 +44,50 @@ class PictureExport : public QObject {
   /// The same without asking. Told by written() or failed().
   void exportView(const QString& path, const QSize& pixels, bool legend, bool title);
   void exportSet(const PictureSet& set);
-  /// Gives up the set; pictures that are written stay.
+  /// Gives up what is under way; pictures that are written stay.
   void cancel();
-  [[nodiscard]] bool isBusy() const { return !left_.empty() || background_.isBusy(); }
+  [[nodiscard]] bool isBusy() const { return asked_ > 0; }
 
  Q_SIGNALS:
   void written(const QString& path);
+  /// The rest of a set is given up.
   void failed(const QString& message);
+  void copied();
   /// A set ended, with so many pictures.
   void setFinished(int count);
 
  private:
   struct Wanted {
-    QString camera;
+    QString camera;  ///< empty: the view as it stands
     QString layout;
+    QString path;  ///< empty: the clipboard
+    QSize pixels;
+    bool legend = true;
+    bool title = false;
+    bool of_set = false;
   };
-  [[nodiscard]] PictureFile take(const QString& path, const QSize& pixels, const Wanted& wanted,
-                                 bool linear) const;
-  [[nodiscard]] QString pathOf(const Wanted& wanted) const;
+  /// Nothing while its light is not there.
+  [[nodiscard]] std::optional<PictureOrder> order(const Wanted& wanted) const;
   [[nodiscard]] QString titleOf(const render::PictureFacts& facts) const;
-  void write(PictureFile file);
+  /// Of the view as it is now.
+  void take(const Wanted& wanted);
+  void start(PictureOrder order, const Wanted& wanted);
+  void end(const Wanted& wanted, const PictureOutcome& outcome);
   void next();
+  void showProgress(double within);
+  void endProgress();
 
   Document& document_;
   Workspace& workspace_;
   ComparisonSession& comparison_;
   const LightMarks& marks_;
-  PictureSet set_;
-  std::deque<Wanted> left_;
-  int count_ = 0;
-  int taken_ = 0;
-  Background background_;
+  std::deque<Wanted> left_;  ///< of the set
+  bool set_running_ = false;
+  bool set_drawing_ = false;  ///< one of its pictures is under way
+  int set_written_ = 0;
+  int asked_ = 0;  ///< since nothing was under way
+  int ended_ = 0;
+  PictureJob job_;
 };
 
 }  // namespace soffit::ui

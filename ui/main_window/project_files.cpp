@@ -77,9 +77,12 @@ void ProjectFiles::endImport(const QString& message) {
 void ProjectFiles::importInto(const QString& model, const io::ImportChoices& choices) {
   const io::Project project = session_->document().current();
   background_.run([this, project, model, choices, session = session_]() -> Background::End {
-    auto grown =
-        std::make_shared<Result<io::Project>>(io::withModel(project, toPath(model), choices));
-    return [this, grown, model, session] {
+    std::vector<std::string> written;
+    auto grown = std::make_shared<Result<io::Project>>(
+        io::withModel(project, toPath(model), choices, &written));
+    return [this, grown, model, session, folder = project.path.parent_path(), written] {
+      copied_.add(folder, *grown ? (*grown)->geometry.back().file : std::string(), written);
+      if (session_ == nullptr) copied_.removeUnneeded();
       endImport(*grown ? QString() : messageOf(grown->error()));
       if (!*grown || session != session_) return;  // closed meanwhile
       for (const std::string& warning : (*grown)->warnings) {
@@ -119,11 +122,20 @@ void ProjectFiles::offerRecovery() {
 
 void ProjectFiles::begin(ProjectSession& session) {
   session_ = &session;
+  const Document& document = session.document();
+  const auto saved = [this, &document] {
+    copied_.saved(document.project().path.parent_path(), document.project().geometry);
+  };
+  connect(&document, &Document::modifiedChanged, this, [saved](bool modified) {
+    if (!modified) saved();
+  });
+  connect(&document, &Document::pathChanged, this, saved);
   autosave_ = std::make_unique<Autosave>(session.document());
   autosave_->setThumbnails([this] {
     Shot shot;
     shot.pixels = kThumbnail;
     shot.samples = kThumbnailSamples;
+    shot.look = plain(workspace_.area->view().look());
     return workspace_.area->view().take(shot).image;
   });
   connect(autosave_.get(), &Autosave::failed, workspace_.log, &LogPanel::addWarning);
@@ -143,6 +155,7 @@ void ProjectFiles::end() {
   if (session_ == nullptr) return;
   autosave_.reset();
   if (!recovered_.isEmpty()) discardRecovery(std::exchange(recovered_, QString()));
+  copied_.removeUnneeded();
   removeUntitledProject(session_->document().path());
   session_ = nullptr;
 }

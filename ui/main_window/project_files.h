@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/io/project/import_project.h"
+#include "ui/document/copied_files.h"
 #include "ui/jobs/autosave.h"
 #include "ui/jobs/background.h"
 #include "ui/jobs/progress_relay.h"
@@ -67,6 +68,7 @@ class ProjectFiles : public QObject {
   std::unique_ptr<Autosave> autosave_;
   Recovery opening_;   ///< version that is being opened
   QString recovered_;  ///< version that the session came from, while it is the only one
+  CopiedFiles copied_;
   std::stop_source stop_;
   ProgressRelay relay_;
   Background background_;

@@ -97,7 +97,7 @@ ProjectSession::~ProjectSession() {
   workspace_.quality->setDocument(nullptr);
   workspace_.results->setReadings(nullptr);
   workspace_.verify->setVerification(nullptr);
-  workspace_.area->errors().setPoints({});
+  for (std::size_t i = 0; i < views.count(); ++i) workspace_.area->errors(i).setPoints({});
   workspace_.status->setVerified({});
   workspace_.status->endProgress();
   workspace_.area->setNotice({});
@@ -191,15 +191,18 @@ void ProjectSession::connectVerification() {
     showErrorMap();
   });
   connect(workspace_.verify, &VerifyPanel::mapWantedChanged, this, &ProjectSession::showErrorMap);
+  connect(&workspace_.area->grid(), &ViewGrid::shownChanged, this, &ProjectSession::showErrorMap);
 }
 
 /// Of the light that is shown alone: discs of another state would lie.
 void ProjectSession::showErrorMap() {
-  ErrorMap& map = workspace_.area->errors();
-  if (!workspace_.verify->mapWanted() || !verification_.isVerified()) {
-    map.setPoints({});
-  } else {
-    map.setPoints(errorPointsOf(verification_.result()->report));
+  const bool shown = workspace_.verify->mapWanted() && verification_.isVerified();
+  ViewGrid& views = workspace_.area->grid();
+  for (std::size_t i = 0; i < views.count(); ++i) {
+    const auto& layout = views.pane(i).layout();
+    const bool own = !layout || *layout == document_.layout();
+    workspace_.area->errors(i).setPoints(
+        shown && own ? errorPointsOf(verification_.result()->report) : std::vector<ErrorPoint>{});
   }
 }
 

@@ -9,13 +9,17 @@
 #include <algorithm>
 
 namespace soffit::ui {
+namespace {
+
+constexpr int kLegendMargin = 16;
+constexpr int kStripMargin = 6;
+
+}  // namespace
 
 ViewArea::ViewArea(QWidget* parent)
     : QWidget(parent),
       grid_(new ViewGrid(*this)),
       comparison_(new ComparisonView(view(), *this)),
-      errors_(new ErrorMap(view())),
-      marks_(new LuxOverlay(view())),
       legend_(new Legend(this)),
       profile_(new ProfileChart(this)),
       notice_(new QLabel(this)) {
@@ -30,6 +34,17 @@ ViewArea::ViewArea(QWidget* parent)
   connect(legend_, &Legend::editRequested, this, &ViewArea::scaleRequested);
   connect(comparison_, &ComparisonView::layoutChanged, this, &ViewArea::layOut);
   connect(grid_, &ViewGrid::arrangementChanged, this, &ViewArea::layOut);
+  addOverlays();
+  // The first to hear: whoever hears it after finds them there.
+  connect(grid_, &ViewGrid::shownChanged, this, &ViewArea::addOverlays);
+}
+
+void ViewArea::addOverlays() {
+  while (overlays_.size() < grid_->count()) {
+    SceneView& view = grid_->pane(overlays_.size()).view();
+    auto* errors = new ErrorMap(view, overlays_.empty());
+    overlays_.push_back({errors, new LuxOverlay(view)});
+  }
 }
 
 Result<void> ViewArea::setLook(const Look& look, const std::vector<double>& levels, bool values) {
@@ -37,7 +52,7 @@ Result<void> ViewArea::setLook(const Look& look, const std::vector<double>& leve
   plane_levels_ = levels;
   plane_values_ = values;
   showLegend();
-  marks_->refresh();
+  for (const Overlay& overlay : overlays_) overlay.marks->refresh();
   return set;
 }
 
@@ -55,8 +70,10 @@ void ViewArea::showLegend() {
     const Look& look = view().look();
     legend_->setScale(look.scale, look.levels.empty() ? plane_levels_ : look.levels);
   }
+  const bool before = legend_->isVisibleTo(this);
   legend_->setVisible(difference_ > 0.0 || view().look().false_color || plane_values_ ||
                       !view().look().levels.empty() || !plane_levels_.empty());
+  if (before != legend_->isVisibleTo(this)) layOut();
 }
 
 void ViewArea::setNotice(const QString& text) {
@@ -77,12 +94,19 @@ void ViewArea::paintEvent(QPaintEvent*) {
 
 void ViewArea::layOut() {
   const bool compared = comparison_->mode() != ComparisonMode::off;
-  grid_->layOut(comparison_->layOut(rect()), compared);
+  const QSize legend = legend_->sizeHint();
+  // Over one picture the legend takes a place that can be spared; of several it would hide one.
+  const bool strip = !compared && grid_->arranged() > 1 && legend_->isVisibleTo(this);
+  const int margin = strip ? kStripMargin : kLegendMargin;
+  const QRect views = rect().adjusted(0, 0, strip ? -(legend.width() + 2 * margin) : 0, 0);
+  const QRect first = comparison_->layOut(views);
+  grid_->layOut(first, compared, comparison_->barEnd());
+  comparison_->bar().raise();
   legend_->raise();
   notice_->raise();
-  const int tall = std::min(legend_->sizeHint().height(), height() - 32);
-  legend_->setGeometry(width() - legend_->sizeHint().width() - 16, 16, legend_->sizeHint().width(),
-                       tall);
+  const int top = std::max(margin, comparison_->barEnd() + kStripMargin);
+  legend_->setGeometry(width() - legend.width() - margin, top, legend.width(),
+                       std::min(legend.height(), height() - top - margin));
   profile_->raise();
   const QSize chart = profile_->sizeHint().boundedTo(size() - QSize(32, 32));
   profile_->setGeometry(16, height() - chart.height() - 16, chart.width(), chart.height());

@@ -11,10 +11,12 @@
 #include <QLabel>
 #include <QWidget>
 
+#include <vector>
+
 namespace soffit::ui {
 
-/// The views with what lies over them: numbers of light with their legend, and a word while there is
-/// no light yet. A comparison of layouts takes the place of all views but the first.
+/// The views with what lies over them: numbers of light with their legend, and a word while there
+/// is no light yet. A comparison of layouts takes the place of all views but the first.
 class ViewArea : public QWidget {
   Q_OBJECT
 
@@ -29,10 +31,11 @@ class ViewArea : public QWidget {
   /// The view that commands are for.
   [[nodiscard]] ViewPane& active() { return grid_->active(); }
   [[nodiscard]] ComparisonView& comparison() { return *comparison_; }
-  [[nodiscard]] ErrorMap& errors() { return *errors_; }
+  /// Of the i-th view of the grid.
+  [[nodiscard]] ErrorMap& errors(std::size_t i = 0) { return *overlays_[i].errors; }
+  [[nodiscard]] LuxOverlay& marks(std::size_t i = 0) { return *overlays_[i].marks; }
   /// The scale of differences from -range to +range lux in place of the look's; 0: the look's.
   void setDifferenceScale(double range);
-  [[nodiscard]] LuxOverlay& marks() { return *marks_; }
   [[nodiscard]] ProfileChart& profile() { return *profile_; }
   [[nodiscard]] Legend& legend() { return *legend_; }
   /// levels: of the isolux lines on work planes, lux. The legend is there where its scale is used.
@@ -50,13 +53,18 @@ class ViewArea : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  /// What lies over a view.
+  struct Overlay {
+    ErrorMap* errors = nullptr;
+    LuxOverlay* marks = nullptr;
+  };
+  void addOverlays();
   void layOut();
   void showLegend();
 
   ViewGrid* grid_;
   ComparisonView* comparison_;
-  ErrorMap* errors_;
-  LuxOverlay* marks_;
+  std::vector<Overlay> overlays_;  ///< per view that there has been
   Legend* legend_;
   ProfileChart* profile_;
   std::vector<double> plane_levels_;

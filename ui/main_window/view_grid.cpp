@@ -78,6 +78,7 @@ void ViewGrid::addPane() {
   input->setDocument(document_);
   pane->bar().setLayouts(layouts_);
   connect(pane, &ViewPane::layoutChanged, this, &ViewGrid::follow);
+  connect(pane, &ViewPane::layoutChanged, this, &ViewGrid::shownChanged);
 }
 
 bool ViewGrid::eventFilter(QObject* watched, QEvent* event) {
@@ -116,15 +117,21 @@ void ViewGrid::showPanes(std::size_t count) {
     if (!shown) panes_[i]->input().setTool(nullptr);
     panes_[i]->setVisible(shown);
   }
+  Q_EMIT shownChanged();
 }
 
-void ViewGrid::layOut(const QRect& area, bool alone) {
+std::size_t ViewGrid::arranged() const {
+  return countOf(arrangement_);
+}
+
+void ViewGrid::layOut(const QRect& area, bool alone, int above) {
   const std::size_t count = alone ? 1 : countOf(arrangement_);
   const std::size_t before = shown_;
   alone_ = alone;
+  laid_ = area;
   if (panes_.size() < count || shown_ != count) showPanes(count);
   if (count == 1) {
-    first().setGeometry(area);
+    first().setGeometry(area, above);
     return;
   }
   const bool columns = arrangement_ != Arrangement::over;
@@ -160,13 +167,13 @@ bool ViewGrid::dragDivider(QEvent* event) {
   if (event->type() == QEvent::MouseButtonPress) return area_.cursor().shape() != Qt::ArrowCursor;
   if (event->type() != QEvent::MouseMove) return false;
   const QPointF at = mouse->position();
-  const double x = at.x() / std::max(area_.width(), 1);
-  const double y = at.y() / std::max(area_.height(), 1);
+  const double x = (at.x() - laid_.left()) / std::max(laid_.width(), 1);
+  const double y = (at.y() - laid_.top()) / std::max(laid_.height(), 1);
   if ((mouse->buttons() & Qt::LeftButton) == 0) {
     const bool across =
-        arrangement_ != Arrangement::over && std::abs(at.x() - across_ * area_.width()) <= kGap;
+        arrangement_ != Arrangement::over && std::abs(x - across_) * laid_.width() <= kGap;
     const bool down =
-        arrangement_ != Arrangement::beside && std::abs(at.y() - down_ * area_.height()) <= kGap;
+        arrangement_ != Arrangement::beside && std::abs(y - down_) * laid_.height() <= kGap;
     area_.setCursor(across && down ? Qt::SizeAllCursor
                     : across       ? Qt::SplitHCursor
                     : down         ? Qt::SplitVCursor
@@ -180,7 +187,7 @@ bool ViewGrid::dragDivider(QEvent* event) {
   if (held == Qt::SplitVCursor || held == Qt::SizeAllCursor) {
     down_ = std::clamp(y, kLeastShare, 1.0 - kLeastShare);
   }
-  layOut(area_.rect(), alone_);
+  layOut(laid_, alone_);
   return true;
 }
 
@@ -222,7 +229,18 @@ void ViewGrid::showLight(ViewPane& pane) {
     view.setLuminaires(others_.luminaires(*pane.layout()));
   }
   if (lit) view.shareMesh(main);
-  if (changed) view.setFrame(frame);
+  if (changed) showFrame(view, frame);
+}
+
+/// One view computes the light of the mesh's corners, the others take it over.
+void ViewGrid::showFrame(SceneView& view, const LightFramePtr& frame) {
+  for (std::size_t i = 0; i < shown_; ++i) {
+    SceneView& other = panes_[i]->view();
+    if (&other == &view || other.frame() != frame) continue;
+    view.setFrameOf(other);
+    return;
+  }
+  view.setFrame(frame);
 }
 
 void ViewGrid::setLayouts(const QStringList& names, const QString& edited) {
@@ -245,7 +263,7 @@ void ViewGrid::follow() {
     }
     SceneView& view = first().view();
     if (view.luminaires() != luminaires_) view.setLuminaires(luminaires_);
-    if (frame_ != nullptr && view.frame() != frame_) view.setFrame(frame_);
+    if (frame_ != nullptr && view.frame() != frame_) showFrame(view, frame_);
   }
 }
 

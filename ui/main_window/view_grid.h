@@ -39,8 +39,11 @@ class ViewGrid : public QObject {
   [[nodiscard]] ViewPane& pane(std::size_t i) { return *panes_[i]; }
   [[nodiscard]] Arrangement arrangement() const { return arrangement_; }
   void setArrangement(Arrangement arrangement);
-  /// Lays the views out. alone: the first has all of it, whatever the arrangement.
-  void layOut(const QRect& area, bool alone);
+  /// Lays the views out. alone: the first has all of it, whatever the arrangement; its bar leaves
+  /// `above` px free at the upper edge.
+  void layOut(const QRect& area, bool alone, int above = 0);
+  /// How many views there are when a comparison does not take their place.
+  [[nodiscard]] std::size_t arranged() const;
   /// What is seen between the views: the frame of the active one.
   void paint(QPainter& painter) const;
 
@@ -74,6 +77,8 @@ class ViewGrid : public QObject {
 
  Q_SIGNALS:
   void arrangementChanged();
+  /// Other views are shown, or a view shows another layout.
+  void shownChanged();
   void activeChanged();
   /// A saved camera was chosen for the active view.
   void cameraChosen(const QString& name);
@@ -88,6 +93,7 @@ class ViewGrid : public QObject {
   /// Gives a view what the grid shows.
   void bringUpToDate(ViewPane& pane);
   void showLight(ViewPane& pane);
+  void showFrame(SceneView& view, const LightFramePtr& frame);
   [[nodiscard]] bool showsOther(const ViewPane& pane) const {
     return pane.layout() && *pane.layout() != edited_ && others_.frame != nullptr;
   }
@@ -105,6 +111,7 @@ class ViewGrid : public QObject {
   double across_ = 0.5;  ///< share of the left views, and of the upper ones
   double down_ = 0.5;
   bool alone_ = false;
+  QRect laid_;  ///< the part of the area that they have
   QTimer follow_;
   Document* document_ = nullptr;
   std::shared_ptr<const scene::Scene> scene_;

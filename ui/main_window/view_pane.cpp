@@ -70,10 +70,10 @@ void ViewPane::onCamera() {
   bar_->setView(standardView(), cut);
 }
 
-void ViewPane::setGeometry(const QRect& rect) {
+void ViewPane::setGeometry(const QRect& rect, int above) {
   view_->setGeometry(rect);
   bar_->adjustSize();
-  bar_->move(rect.left() + kMargin, rect.top() + kMargin);
+  bar_->move(rect.left() + kMargin, rect.top() + above + kMargin);
   bar_->raise();
 }
 

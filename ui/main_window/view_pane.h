@@ -32,7 +32,8 @@ class ViewPane : public QObject {
   /// The perspective comes back as it was left; the others show all of the building. A plan is of
   /// the storey that the perspective stands in.
   void show(StandardView standard);
-  void setGeometry(const QRect& rect);
+  /// above: px at the upper edge that the bar leaves free.
+  void setGeometry(const QRect& rect, int above = 0);
   void setVisible(bool visible);
 
  Q_SIGNALS:

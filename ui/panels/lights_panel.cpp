@@ -37,7 +37,7 @@ LightsPanel::LightsPanel(QWidget* parent)
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
   const int digit = table_->fontMetrics().horizontalAdvance(QLatin1Char('0'));
   const int widths[] = {16 * digit, 8 * digit, 10 * digit, 11 * digit,
-                        12 * digit, 9 * digit, 9 * digit,  9 * digit};
+                        10 * digit, 8 * digit, 8 * digit,  8 * digit};
   for (int i = 0; i < LightsModel::kColumns; ++i) table_->setColumnWidth(i, widths[i]);
   table_->horizontalHeader()->setSectionResizeMode(LightsModel::kName, QHeaderView::Stretch);
   table_->horizontalHeader()->setMinimumSectionSize(8 * digit);

@@ -76,6 +76,7 @@ ProbesPanel::ProbesPanel(QWidget* parent)
   left->addLayout(head);
   left->addWidget(table_, 1);
   auto* right = new QVBoxLayout;
+  whose_->setMinimumHeight(remove_->sizeHint().height());  // the tables begin side by side
   right->addWidget(whose_);
   right->addWidget(shares_, 1);
   auto* layout = new QHBoxLayout(this);

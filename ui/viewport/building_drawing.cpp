@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kMeshVertex = R"(#version 150
 in vec3 position;
 in vec3 albedo;
-in vec3 lux;
+in vec4 lux;  // RGB, and what is added to the illuminance
 in vec2 uv;
 uniform mat4 clip_from_scene;
 out vec4 light;
@@ -22,7 +22,8 @@ out vec3 rho;
 void main() {
   gl_Position = clip_from_scene * vec4(position, 1.0);
   rho = albedo;
-  light = vec4(albedo * lux * 0.3183098861837907, dot(lux, vec3(0.2126390, 0.7151687, 0.0721923)));
+  light = vec4(albedo * lux.rgb * 0.3183098861837907,
+               dot(lux.rgb, vec3(0.2126390, 0.7151687, 0.0721923)) + lux.a);
   at = uv;
 }
 )";
@@ -97,12 +98,20 @@ void fill(GlBuffer& buffer, GlBuffer::Kind kind, const std::vector<T>& values, b
 
 void BuildingDrawing::setMesh(std::shared_ptr<const DisplayMesh> mesh) {
   mesh_ = std::move(mesh);
-  light_.clear();
+  light_.reset();
+  shift_.clear();
   mesh_dirty_ = true;
 }
 
-void BuildingDrawing::setLight(std::vector<vec3> lux) {
+void BuildingDrawing::setLight(std::shared_ptr<const std::vector<vec3>> lux) {
   light_ = std::move(lux);
+  shift_.clear();
+  light_dirty_ = true;
+}
+
+void BuildingDrawing::setShift(std::vector<float> lux) {
+  if (lux.empty() && shift_.empty()) return;
+  shift_ = std::move(lux);
   light_dirty_ = true;
 }
 
@@ -153,13 +162,14 @@ void BuildingDrawing::upload() {
          true);
   }
   view_dirty_ = false;
-  if (light_dirty_ && !light_.empty()) {
+  if (light_dirty_ && light_ != nullptr && !light_->empty()) {
     glBindVertexArray(mesh_array_);
     // Four each: what pixels are shaded from is fetched in one piece.
-    std::vector<glm::vec4> padded(light_.size());
-    for (std::size_t i = 0; i < padded.size(); ++i) padded[i] = glm::vec4(light_[i], 0.0F);
+    std::vector<glm::vec4> padded(light_->size());
+    for (std::size_t i = 0; i < padded.size(); ++i) padded[i] = glm::vec4((*light_)[i], 0.0F);
+    for (std::size_t i = 0; i < shift_.size(); ++i) padded[i].w = shift_[i];
     fill(lux_, Kind::vertices, padded, true);
-    attribute(2, lux_, 3, sizeof(glm::vec4));
+    attribute(2, lux_, 4, sizeof(glm::vec4));
   }
   light_dirty_ = false;
   if (luminaires_dirty_) {
@@ -175,7 +185,7 @@ void BuildingDrawing::upload() {
 }
 
 void BuildingDrawing::drawMesh(const glm::mat4& clip_from_scene, const GlProgram& program) {
-  if (mesh_ == nullptr || light_.empty()) return;
+  if (mesh_ == nullptr || light_ == nullptr || light_->empty()) return;
   program.use();
   program.set("clip_from_scene", clip_from_scene);
   program.set("map", 0);
@@ -212,7 +222,7 @@ void BuildingDrawing::drawLuminaires(const glm::mat4& clip_from_scene) {
 }
 
 bool BuildingDrawing::drawSeen(const SeenSurfaces::View& view, const vec3& background) {
-  if (mesh_ == nullptr || light_.size() != mesh_->vertexCount()) return false;
+  if (mesh_ == nullptr || light_ == nullptr || light_->size() != mesh_->vertexCount()) return false;
   std::size_t shown = 0;
   for (const std::uint32_t count : visible_counts_) shown += count;
   const SeenSurfaces::Mesh buffers{positions_.id(), lux_.id(), indices_.id(), mesh_->vertexCount(),
@@ -242,7 +252,7 @@ void BuildingDrawing::draw(const vec2& shift, const vec3& background) {
   std::array<GLint, 4> viewport{};
   glGetIntegerv(GL_VIEWPORT, viewport.data());
   const SeenSurfaces::View view{clip_from_scene, viewport[2], viewport[3]};
-  const bool still = view == last_view_;
+  const bool still = view == last_view_ && !in_pieces_;
   last_view_ = view;
   if (!still || !drawSeen(view, background)) {
     glClearColor(background.x, background.y, background.z, kBeyond);

@@ -22,8 +22,13 @@ class BuildingDrawing {
 
   /// What to draw from the next draw() on. Null: nothing.
   void setMesh(std::shared_ptr<const DisplayMesh> mesh);
-  /// RGB lux per vertex of the mesh.
-  void setLight(std::vector<vec3> lux);
+  /// RGB lux per vertex of the mesh; views of one building share it.
+  void setLight(std::shared_ptr<const std::vector<vec3>> lux);
+  [[nodiscard]] const std::shared_ptr<const std::vector<vec3>>& light() const { return light_; }
+  /// What is added to the illuminance of each vertex (withoutSpecks()); empty: nothing. Goes with
+  /// the light, and with it.
+  void setShift(std::vector<float> lux);
+  [[nodiscard]] const std::vector<float>& shift() const { return shift_; }
   void setLuminaires(LuminaireMesh luminaires);
 
   /// The camera of the next draws, and where its eye is (scene-local, visibleIndices()). What
@@ -33,6 +38,9 @@ class BuildingDrawing {
   /// Into the framebuffer that is bound; clears it. shift: of the picture, in clip coordinates.
   /// From the second picture of a view on, what is seen is known (seen_surfaces.h).
   void draw(const vec2& shift, const vec3& background);
+  /// Whether the picture is drawn in pieces, each seen through a viewport larger than the target:
+  /// nothing of the view is kept then.
+  void setInPieces(bool in_pieces) { in_pieces_ = in_pieces; }
   void release();
 
  private:
@@ -43,11 +51,13 @@ class BuildingDrawing {
   void drawLuminaires(const glm::mat4& clip_from_scene);
 
   std::shared_ptr<const DisplayMesh> mesh_;
-  std::vector<vec3> light_;
+  std::shared_ptr<const std::vector<vec3>> light_;
+  std::vector<float> shift_;
   LuminaireMesh luminaires_;
   glm::mat4 clip_from_scene_{1.0F};
   glm::vec4 eye_{0.0F};
   bool cuts_ = false;
+  bool in_pieces_ = false;
   std::vector<std::uint32_t> visible_counts_;  ///< indices per part
   bool view_dirty_ = true;
   bool mesh_dirty_ = false;

@@ -170,7 +170,7 @@ void DisplayDrawing::drawTriangle() {
   glDepthMask(GL_TRUE);
 }
 
-void DisplayDrawing::draw(const GlTarget& scene_linear) {
+void DisplayDrawing::draw(const GlTarget& scene_linear, int picture_height) {
   build();
   glDisable(GL_BLEND);
   program_.use();
@@ -185,7 +185,7 @@ void DisplayDrawing::draw(const GlTarget& scene_linear) {
   program_.set("false_color", look_.false_color ? 1 : 0);
   program_.set("range", vec2(dvec2(look_.scale.range.min, look_.scale.range.max)));
   program_.set("logarithmic", look_.scale.range.logarithmic ? 1 : 0);
-  setScale(scene_linear.height());
+  setScale(picture_height > 0 ? picture_height : scene_linear.height());
   drawTriangle();
 }
 

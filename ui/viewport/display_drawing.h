@@ -17,7 +17,8 @@ class DisplayDrawing {
   /// Errors (of makeDisplayShader) keep the view that was there.
   Result<void> setLook(const Look& look);
 
-  void draw(const GlTarget& scene_linear);
+  /// picture_height: of the whole picture, of which the target is a piece; 0: it is all of it.
+  void draw(const GlTarget& scene_linear, int picture_height = 0);
   /// Copies a finished picture, scaled; opacity < 1 blends it over what is there.
   void copy(const GlTarget& picture, float opacity = 1.0F);
   void release();

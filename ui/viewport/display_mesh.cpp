@@ -2,6 +2,7 @@
 #include "ui/viewport/display_mesh.h"
 
 #include "core/base/parallel.h"
+#include "core/color/luminance.h"
 #include "ui/viewport/chart_cutting.h"
 
 #include <algorithm>
@@ -284,7 +285,10 @@ class Builder {
 DisplayMesh makeDisplayMesh(const geometry::Mesh& mesh, const transfer::Texels& texels,
                             std::span<const scene::Material> materials) {
   if (texels.slotCount() == 0) return {};
-  return Builder(mesh, texels, materials).build();
+  DisplayMesh built = Builder(mesh, texels, materials).build();
+  built.neighbours = std::make_shared<const design::Neighbours>(
+      design::meshNeighbours(built.vertexCount(), built.indices));
+  return built;
 }
 
 DisplayMesh repainted(const DisplayMesh& mesh, std::span<const scene::Material> materials) {
@@ -306,6 +310,19 @@ void lightVertices(const DisplayMesh& mesh, const relight::Planes& lux, std::spa
       out[v] = glm::max(sum, vec3(0.0F));
     }
   });
+}
+
+std::vector<float> withoutSpecks(const DisplayMesh& mesh, std::span<const vec3> lux,
+                                 std::span<const double> levels) {
+  if (levels.empty() || mesh.neighbours == nullptr) return {};
+  std::vector<float> values(lux.size());
+  for (std::size_t v = 0; v < lux.size(); ++v) values[v] = color::luminance(lux[v]);
+  std::vector<float> shift;
+  for (const auto& speck : design::findSpecks(values, *mesh.neighbours, levels)) {
+    if (shift.empty()) shift.assign(lux.size(), 0.0F);
+    shift[speck.point] = speck.value - values[speck.point];
+  }
+  return shift;
 }
 
 }  // namespace soffit::ui

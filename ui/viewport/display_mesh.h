@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/design/specks.h"
 #include "core/math/box.h"
 #include "core/relight/lighting.h"
 #include "core/scene/scene.h"
@@ -50,6 +51,12 @@ struct DisplayMesh {
   std::vector<std::uint32_t> slots;
   std::vector<float> weights;
 
+  /// Which vertices an edge joins: for isolux lines.
+  std::shared_ptr<const design::Neighbours> neighbours;
+
+  /// Per triangle of the building (solidTriangles()); null: not known.
+  std::shared_ptr<const std::vector<std::uint8_t>> solid;
+
   [[nodiscard]] std::size_t vertexCount() const { return positions.size(); }
 };
 
@@ -68,5 +75,11 @@ DisplayMesh repainted(const DisplayMesh& mesh, std::span<const scene::Material> 
 
 /// RGB lux at each vertex. out.size() == vertexCount().
 void lightVertices(const DisplayMesh& mesh, const relight::Planes& lux, std::span<vec3> out);
+
+/// What the illuminance of each vertex is changed by, lux, so that isolux lines go round no specks
+/// (design::findSpecks): within the error of the light. Empty: nothing is changed.
+/// lux: RGB per vertex. levels: of the lines.
+std::vector<float> withoutSpecks(const DisplayMesh& mesh, std::span<const vec3> lux,
+                                 std::span<const double> levels);
 
 }  // namespace soffit::ui

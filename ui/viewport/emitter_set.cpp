@@ -10,6 +10,7 @@ EmitterSet::EmitterSet(std::span<const light::Luminaire> luminaires, const dvec3
     auto emitter = light::makeEmitter(luminaire, origin);
     if (!emitter) continue;
     radiance_.emplace_back(*emitter);
+    numbers_.emplace(luminaire.name, static_cast<int>(names_.size()));
     names_.push_back(luminaire.name);
     emitters_.push_back(std::move(*emitter));
   }
@@ -22,8 +23,8 @@ EmitterSet::EmitterSet(std::span<const light::Luminaire> luminaires, const dvec3
 }
 
 int EmitterSet::indexOf(const std::string& name) const {
-  const auto found = std::ranges::find(names_, name);
-  return found == names_.end() ? -1 : static_cast<int>(found - names_.begin());
+  const auto found = numbers_.find(name);
+  return found == numbers_.end() ? -1 : found->second;
 }
 
 }  // namespace soffit::ui

@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace soffit::ui {
@@ -34,6 +35,7 @@ class EmitterSet {
  private:
   std::vector<light::Emitter> emitters_;
   std::vector<std::string> names_;
+  std::unordered_map<std::string, int> numbers_;
   std::vector<render::EmitterRadiance> radiance_;
   std::vector<light::Emitter> pickable_;  // as if all were on
   std::unique_ptr<render::EmitterHits> hits_;

@@ -93,7 +93,9 @@ double fittingErrorScale(const std::vector<ErrorPoint>& points) {
   return fitting == kScales.end() ? kScales.back() : *fitting;
 }
 
-ErrorMap::ErrorMap(SceneView& view) : QWidget(&view), view_(view), legend_(new Legend(this)) {
+ErrorMap::ErrorMap(SceneView& view, bool with_legend)
+    : QWidget(&view), view_(view), legend_(new Legend(this)) {
+  legend_->setVisible(with_legend);
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setAttribute(Qt::WA_NoSystemBackground);
   setFocusPolicy(Qt::NoFocus);

@@ -35,7 +35,8 @@ class ErrorMap : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ErrorMap(SceneView& view);
+  /// with_legend: of several views with the same points one has it.
+  explicit ErrorMap(SceneView& view, bool with_legend = true);
   /// Empty: none.
   void setPoints(std::vector<ErrorPoint> points);
   [[nodiscard]] const std::vector<ErrorPoint>& points() const { return points_; }

@@ -23,4 +23,11 @@ struct Look {
   friend bool operator==(const Look&, const Look&) = default;
 };
 
+/// The same without false colours and lines: for pictures that are to be like one another.
+inline Look plain(Look look) {
+  look.false_color = look.difference = false;
+  look.levels.clear();
+  return look;
+}
+
 }  // namespace soffit::ui

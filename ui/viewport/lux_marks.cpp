@@ -65,6 +65,10 @@ QRectF boxAbout(const QPointF& at, const QString& text, const QFontMetricsF& met
   return box;
 }
 
+bool isFree(const QRectF& box, const std::vector<SeenMarks::Pin>& pins) {
+  return std::ranges::none_of(pins, [&](const auto& pin) { return pin.plate.box.intersects(box); });
+}
+
 bool isFree(const QRectF& box, const std::vector<SeenMarks::Text>& others) {
   return std::ranges::none_of(others, [&](const auto& other) { return other.box.intersects(box); });
 }
@@ -81,6 +85,7 @@ void addNumbers(const LuxMarks& marks, const Projection& project, const QFontMet
     const QRectF box = boxAbout(*at, text, metrics);
     // Rays are dearer than rectangles.
     if (!project.picture().contains(box) || !isFree(box, seen.numbers)) continue;
+    if (!isFree(box, seen.pins)) continue;
     if (project.isVisible(number->at)) seen.numbers.push_back({box, text});
   }
 }
@@ -93,7 +98,9 @@ void addLabel(const QPolygonF& stretch, const QString& text, const QFontMetricsF
   const QSizeF extent = stretch.boundingRect().size();
   if (extent.width() + extent.height() < 2.5 * box.width()) return;
   if (!project.picture().contains(box)) return;
-  if (isFree(box, seen.labels) && isFree(box, seen.numbers)) seen.labels.push_back({box, text});
+  if (isFree(box, seen.labels) && isFree(box, seen.numbers) && isFree(box, seen.pins)) {
+    seen.labels.push_back({box, text});
+  }
 }
 
 void addLines(const LuxMarks& marks, const Projection& project, const QFontMetricsF& metrics,
@@ -189,9 +196,9 @@ SeenMarks seenFrom(const LuxMarks& marks, const Sight& sight, const QFont& font)
     const auto b = project(cut[1]);
     if (a && b) seen.cuts.emplace_back(*a, *b);
   }
+  addPins(marks, project, metrics, seen);  // the others keep clear of them
   addNumbers(marks, project, metrics, seen);
   addLines(marks, project, metrics, seen);
-  addPins(marks, project, metrics, seen);
   return seen;
 }
 
@@ -212,7 +219,9 @@ void addLineLabels(const std::vector<render::LineLabel>& labels, double scale,
         scale * QPointF(static_cast<double>(label.at.x), static_cast<double>(label.at.y));
     const QString text = levelText(label.level, unit.unit);
     const QRectF box = boxAbout(at, text, metrics);
-    if (isFree(box, seen.numbers) && isFree(box, seen.labels)) seen.labels.push_back({box, text});
+    if (isFree(box, seen.numbers) && isFree(box, seen.labels) && isFree(box, seen.pins)) {
+      seen.labels.push_back({box, text});
+    }
   }
 }
 

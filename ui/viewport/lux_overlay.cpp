@@ -87,22 +87,4 @@ void LuxOverlay::paintEvent(QPaintEvent*) {
   paint(painter, seen());
 }
 
-void LuxOverlay::paintInto(Picture& picture, const LuxMarks& marks,
-                           const ViewCamera& camera) const {
-  if (picture.image.isNull()) return;
-  const double ratio =
-      std::max(1.0, static_cast<double>(picture.image.height()) / std::max(1, height()));
-  const dvec2 size = dvec2(picture.image.width(), picture.image.height()) / ratio;
-  SeenMarks seen = seenFrom(marks, sight(camera, size), font());
-  if (!picture.lux.lux.empty()) {
-    const auto labels =
-        render::placeLineLabels(picture.lux, view_.look().levels, labelRoom(font(), 1.0 / ratio));
-    addLineLabels(labels, 1.0 / ratio, view_.look().scale, font(), seen);
-  }
-  QPainter painter(&picture.image);
-  painter.scale(ratio, ratio);
-  painter.setFont(font());
-  paint(painter, seen);
-}
-
 }  // namespace soffit::ui

@@ -9,7 +9,6 @@
 namespace soffit::ui {
 
 class SceneView;
-struct Picture;
 
 /// Light in numbers and lines over a view: what LuxMarks say, and the values of the isolux lines
 /// that the view's picture holds, where they have room. Those follow when the picture is at rest.
@@ -23,9 +22,6 @@ class LuxOverlay : public QWidget {
   [[nodiscard]] const LuxMarks& marks() const { return marks_; }
   /// The look of the view, or its light, is another.
   void refresh();
-  /// Draws marks into a picture that was taken of the view, as large as it is there. camera: it was
-  /// taken from. Its isolux lines get values when the picture knows its lux.
-  void paintInto(Picture& picture, const LuxMarks& marks, const ViewCamera& camera) const;
   /// What is painted now.
   [[nodiscard]] const SeenMarks& seen();
 

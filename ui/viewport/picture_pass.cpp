@@ -20,22 +20,8 @@
 namespace soffit::ui {
 namespace {
 
-/// Where the k-th sample lies in its pixel: Hammersley's points, the first in the middle.
-vec2 sampleOffset(int k) {
-  constexpr std::array<vec2, PicturePass::kMostSamples> kOffsets{{{0.0F, 0.0F},
-                                                                  {-0.375F, 0.125F},
-                                                                  {0.25F, -0.375F},
-                                                                  {0.375F, 0.25F},
-                                                                  {-0.125F, -0.25F},
-                                                                  {0.125F, 0.375F},
-                                                                  {-0.25F, 0.4375F},
-                                                                  {-0.4375F, -0.4375F}}};
-  return kOffsets[static_cast<std::size_t>(k)];
-}
-
-glm::mat4 clipFromScene(vtkRenderer* renderer, double aspect) {
-  vtkMatrix4x4* m =
-      renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+glm::mat4 clipFromScene(vtkCamera& camera, double aspect) {
+  vtkMatrix4x4* m = camera.GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
   glm::mat4 clip;
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column) {
@@ -54,6 +40,28 @@ glm::vec4 eyeOf(vtkCamera& camera) {
 
 }  // namespace
 
+vec2 sampleOffset(int k) {
+  constexpr std::array<vec2, PicturePass::kMostSamples> kOffsets{{{0.0F, 0.0F},
+                                                                  {-0.375F, 0.125F},
+                                                                  {0.25F, -0.375F},
+                                                                  {0.375F, 0.25F},
+                                                                  {-0.125F, -0.25F},
+                                                                  {0.125F, 0.375F},
+                                                                  {-0.25F, 0.4375F},
+                                                                  {-0.4375F, -0.4375F}}};
+  return kOffsets[static_cast<std::size_t>(k)];
+}
+
+DrawnView drawnView(vtkCamera& camera, double aspect, double cut) {
+  std::array<double, 2> range{};
+  camera.GetClippingRange(range.data());
+  if (cut > 0.0) camera.SetClippingRange(cut, std::max(range[1], cut + 1.0));
+  const DrawnView view{clipFromScene(camera, aspect), eyeOf(camera), cut > 0.0};
+  // The overlay, which has the same camera, is not cut.
+  camera.SetClippingRange(range[0], range[1]);
+  return view;
+}
+
 vtkStandardNewMacro(PicturePass);
 
 void PicturePass::setSample(int sample, double scale) {
@@ -67,14 +75,9 @@ void PicturePass::shoot(vtkRenderer* renderer, int width, int height) {
   linear_.bind();
   const int* size = renderer->GetRenderWindow()->GetSize();
   const vec2 shift = 2.0F * sampleOffset(sample_) / vec2(width, height);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  std::array<double, 2> range{};
-  camera->GetClippingRange(range.data());
-  // The overlay, which has the same camera, is not cut.
-  if (cut_ > 0.0) camera->SetClippingRange(cut_, std::max(range[1], cut_ + 1.0));
-  building.setView(clipFromScene(renderer, static_cast<double>(size[0]) / size[1]), eyeOf(*camera),
-                   cut_ > 0.0);
-  camera->SetClippingRange(range[0], range[1]);
+  const double aspect = static_cast<double>(size[0]) / size[1];
+  const DrawnView view = drawnView(*renderer->GetActiveCamera(), aspect, cut_);
+  building.setView(view.clip_from_scene, view.eye, view.cuts);
   building.draw(shift, vec3(0.0F));
   finished_.bind();
   display.draw(linear_);

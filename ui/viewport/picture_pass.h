@@ -6,9 +6,25 @@
 
 #include <vtkRenderPass.h>
 
+class vtkCamera;
 class vtkRenderer;
 
 namespace soffit::ui {
+
+/// How BuildingDrawing is to see (setView()).
+struct DrawnView {
+  glm::mat4 clip_from_scene{1.0F};
+  glm::vec4 eye{0.0F};
+  bool cuts = false;
+};
+
+/// As a camera sees it in a picture of that width over height. cut: of a parallel camera, m; the
+/// building is cut away up to there; 0: it is not.
+DrawnView drawnView(vtkCamera& camera, double aspect, double cut);
+
+/// Where the k-th sample lies in its pixel, from its middle: Hammersley's points, the first in the
+/// middle.
+vec2 sampleOffset(int k);
 
 /// The render pass of the scene layer: building and luminaires in scene-linear light, then the view
 /// transform, into VTK's framebuffer. Actors of this layer are not drawn; those of the overlay are,

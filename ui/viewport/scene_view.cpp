@@ -12,9 +12,7 @@ namespace soffit::ui {
 namespace {
 
 constexpr vec3 kSelectedColor{1.0F, 0.72F, 0.16F};
-constexpr vec3 kPlanColor{0.95F, 0.86F, 0.62F};
 constexpr vec3 kHoveredColor{0.98F, 0.98F, 0.98F};
-constexpr vec3 kCutColor{0.62F, 0.66F, 0.72F};
 /// Frames slower than this are drawn with fewer pixels while things move.
 constexpr double kFluentMs = 15.0;
 constexpr int kRestMs = 80;
@@ -28,8 +26,9 @@ SceneView::SceneView(QWidget* parent) : VtkView(parent) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   gizmo_ = std::make_unique<GizmoActor>(overlay());
-  cut_outline_ = std::make_unique<OutlineActor>(overlay(), kCutColor, 1.6F);
-  plan_outline_ = std::make_unique<OutlineActor>(overlay(), kPlanColor, 1.2F);
+  cut_hatch_ = std::make_unique<OutlineActor>(overlay(), kHatchColor, kHatchWidth);
+  cut_outline_ = std::make_unique<OutlineActor>(overlay(), kCutColor, kCutWidth);
+  plan_outline_ = std::make_unique<OutlineActor>(overlay(), kPlanColor, kPlanWidth);
   hovered_outline_ = std::make_unique<OutlineActor>(overlay(), kHoveredColor, 1.5F);
   selected_outline_ = std::make_unique<OutlineActor>(overlay(), kSelectedColor, 2.5F);
   rest_.setSingleShot(true);
@@ -62,13 +61,14 @@ void SceneView::setScene(std::shared_ptr<const scene::Scene> scene) {
   scene_ = std::move(scene);
   if (same_building) return;
   frame_.reset();
+  lit_from_frame_ = false;
   mesh_.reset();
   mesh_solver_.reset();
   pass().building.setMesh(nullptr);
   if (scene_ != nullptr) {
     PlainPreview preview = makePlainPreview(*scene_->mesh, scene_->materials);
     pass().building.setMesh(std::move(preview.mesh));
-    pass().building.setLight(std::move(preview.lux));
+    pass().building.setLight(std::make_shared<const std::vector<vec3>>(std::move(preview.lux)));
   }
   restart();
 }
@@ -80,6 +80,7 @@ void SceneView::setFrame(LightFramePtr frame) {
     return;
   }
   frame_ = std::move(frame);
+  lit_from_frame_ = false;
   if (frame_ == nullptr) return;
   if (mesh_solver_ == frame_->solver) {
     showLight();
@@ -106,13 +107,37 @@ void SceneView::onMeshFinished() {
 }
 
 void SceneView::lightBuilding(const LightFrame& frame) {
-  std::vector<vec3> lux(mesh_->vertexCount());
-  lightVertices(*mesh_, frame.lux, lux);
+  auto lux = std::make_shared<std::vector<vec3>>(mesh_->vertexCount());
+  lightVertices(*mesh_, frame.lux, *lux);
   pass().building.setLight(std::move(lux));
+  smoothLines();
+}
+
+/// In a drag there are better things to do: specks come and go with the light there.
+void SceneView::smoothLines() {
+  const auto& lux = pass().building.light();
+  if (mesh_ == nullptr || lux == nullptr || lux->size() != mesh_->vertexCount()) return;
+  pass().building.setShift(moving_ ? std::vector<float>{}
+                                   : withoutSpecks(*mesh_, *lux, look_.levels));
+}
+
+void SceneView::setFrameOf(SceneView& other) {
+  if (other.frame_ == nullptr || other.mesh_ != mesh_ || other.frame_->solver != mesh_solver_ ||
+      !other.lit_from_frame_) {
+    setFrame(other.frame_);
+    return;
+  }
+  frame_ = other.frame_;
+  pass().building.setLight(other.pass().building.light());
+  pass().building.setShift(other.pass().building.shift());
+  lit_from_frame_ = true;
+  light_pending_ = true;
+  restart();
 }
 
 void SceneView::showLight() {
   lightBuilding(*frame_);
+  lit_from_frame_ = true;
   light_pending_ = true;
   restart();
 }
@@ -142,7 +167,9 @@ Result<void> SceneView::setLook(const Look& look) {
   // The panel says it at every change of the scene: at each place in a drag.
   if (look_given_ && look == look_) return {};
   if (const auto set = pass().display.setLook(look); !set) return set.error();
+  const bool other_lines = look.levels != look_.levels;
   look_ = look;
+  if (other_lines) smoothLines();
   look_given_ = true;
   restart();
   return {};
@@ -177,7 +204,12 @@ void SceneView::frameSelection() {
 
 void SceneView::setMoving(bool moving) {
   if (moving != moving_) Q_EMIT movingChanged(moving);
+  const bool rests = moving_ && !moving;
   moving_ = moving;
+  if (rests && !look_.levels.empty()) {
+    smoothLines();
+    restart();
+  }
   if (!moving && drew_scaled_) rest_.start();
 }
 

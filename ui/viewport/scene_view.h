@@ -8,6 +8,7 @@
 #include "ui/viewport/look.h"
 #include "ui/viewport/pointing.h"
 #include "ui/viewport/shot.h"
+#include "ui/viewport/still.h"
 #include "ui/viewport/view_camera.h"
 #include "ui/viewport/vtk_view.h"
 
@@ -24,6 +25,15 @@ class SceneView : public VtkView {
   Q_OBJECT
 
  public:
+  /// Of the lines that a flat view draws: the cut and the hatching of what it cuts, and luminaires
+  /// seen on their dark side.
+  static constexpr vec3 kCutColor{0.62F, 0.66F, 0.72F};
+  static constexpr float kCutWidth = 1.6F;
+  static constexpr vec3 kHatchColor{0.40F, 0.43F, 0.48F};
+  static constexpr float kHatchWidth = 1.0F;
+  static constexpr vec3 kPlanColor{0.95F, 0.86F, 0.62F};
+  static constexpr float kPlanWidth = 1.2F;
+
   explicit SceneView(QWidget* parent = nullptr);
   ~SceneView() override;
 
@@ -32,6 +42,8 @@ class SceneView : public VtkView {
   /// Finished light. The mesh of a new solver is cut in the background; until then the old light
   /// stays.
   void setFrame(LightFramePtr frame);
+  /// The light that another view of the building shows; with its mesh, at no further cost.
+  void setFrameOf(SceneView& other);
   void setLuminaires(std::shared_ptr<const EmitterSet> luminaires);
   void setSelection(const QStringList& names);
   /// The luminaire under the mouse, empty for none.
@@ -80,6 +92,9 @@ class SceneView : public VtkView {
   /// Another picture of the building than the one on the screen; that stays as it is. Without an
   /// image before there is light, and for light of another solver.
   Picture take(const Shot& shot);
+  /// The same for another thread to make (StillRenderer), without marks; nothing where take() has
+  /// no image.
+  [[nodiscard]] std::optional<Still> still(const Shot& shot);
   /// Shows the building with the mesh that another view of it has cut already.
   void shareMesh(const SceneView& other);
   /// The solver whose mesh is shown; null before there is one.
@@ -108,6 +123,7 @@ class SceneView : public VtkView {
   void onMeshFinished();
   void showLight();
   void lightBuilding(const LightFrame& frame);
+  void smoothLines();
   void placeCamera();
   void drawLuminaires();
   void updateOverlay();
@@ -121,6 +137,7 @@ class SceneView : public VtkView {
   [[nodiscard]] std::vector<const light::Emitter*> selectedEmitters() const;
   [[nodiscard]] std::vector<vec3> planOutlines() const;
   [[nodiscard]] std::vector<vec3> cutLines() const;
+  [[nodiscard]] std::vector<vec3> cutHatch() const;
   /// Per luminaire; empty: the view cuts none away.
   [[nodiscard]] std::vector<bool> cutAwayLuminaires() const;
   [[nodiscard]] std::vector<vec3> outlines(const QStringList& names) const;
@@ -142,17 +159,20 @@ class SceneView : public VtkView {
   /// What the lines of the cut were drawn for.
   struct CutDrawn {
     const geometry::Mesh* mesh = nullptr;
+    const void* solid = nullptr;
     int axis = 0;
     double place = 0.0;
     bool cuts = false;
     bool operator==(const CutDrawn&) const = default;
   };
   CutDrawn cut_drawn_;
+  std::unique_ptr<OutlineActor> cut_hatch_;
   std::unique_ptr<OutlineActor> cut_outline_;
   std::unique_ptr<OutlineActor> plan_outline_;  ///< luminaires seen on their dark side from above
   GizmoTool tool_ = GizmoTool::move;
   bool gizmo_shown_ = true;
   GizmoPart highlight_ = GizmoPart::none;
+  bool lit_from_frame_ = false;  ///< what is drawn is frame_, not what came before it
   bool light_pending_ = false;
   bool moving_ = false;
   bool drew_scaled_ = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SceneView: its camera in VTK's terms, and what lies over the picture (gizmo, outlines, the cut).
 #include "ui/document/text.h"
+#include "ui/viewport/cut_hatch.h"
 #include "ui/viewport/cutting.h"
 #include "ui/viewport/gizmo_scaling.h"
 #include "ui/viewport/gizmo_turning.h"
@@ -20,6 +21,9 @@ namespace {
 constexpr double kPlanSteepness = -0.7;
 constexpr double kNearest = 0.03;
 constexpr double kFarEye = 1e5;  // m
+/// Between the lines of hatching, m, and how many of them there are at most.
+constexpr double kHatch = 0.05;
+constexpr double kMostHatches = 1500.0;
 /// Cosine to the line of sight of what is seen edge on.
 constexpr double kEdgeOn = 0.05;
 
@@ -161,11 +165,25 @@ std::vector<vec3> SceneView::cutLines() const {
   return sectionLines(*scene_->mesh, axis, view_.cutPlace() - origin()[axis]);
 }
 
+std::vector<vec3> SceneView::cutHatch() const {
+  if (scene_ == nullptr || mesh_ == nullptr || mesh_->solid == nullptr || !view_.isParallel() ||
+      view_.cut_depth <= 0.0) {
+    return {};
+  }
+  const int axis = view_.mainAxis();
+  const double spacing =
+      std::max(kHatch, static_cast<double>(scene_->mesh->bounds().diagonal()) / kMostHatches);
+  return sectionHatch(*scene_->mesh, *mesh_->solid, axis, view_.cutPlace() - origin()[axis],
+                      spacing);
+}
+
 void SceneView::updateCut() {
-  const CutDrawn cut{scene_ == nullptr ? nullptr : scene_->mesh.get(), view_.mainAxis(),
+  const CutDrawn cut{scene_ == nullptr ? nullptr : scene_->mesh.get(),
+                     mesh_ == nullptr ? nullptr : mesh_->solid.get(), view_.mainAxis(),
                      view_.isParallel() ? view_.cutPlace() : 0.0, view_.isParallel()};
   if (cut == cut_drawn_) return;
   cut_drawn_ = cut;
+  cut_hatch_->setLines(cutHatch());
   cut_outline_->setLines(cutLines());
 }
 

@@ -86,6 +86,39 @@ Picture SceneView::take(const Shot& shot) {
   return taken;
 }
 
+std::optional<Still> SceneView::still(const Shot& shot) {
+  const LightFramePtr& frame = shot.frame != nullptr ? shot.frame : frame_;
+  if (mesh_ == nullptr || frame == nullptr || frame->solver != mesh_solver_) return std::nullopt;
+  const ViewCamera camera = view_;
+  const auto luminaires = luminaires_;
+  if (shot.camera) view_ = *shot.camera;
+  if (shot.luminaires != nullptr) luminaires_ = shot.luminaires;
+  placeCamera();
+  Still still;
+  still.shot = shot;
+  still.scene = scene_;
+  still.mesh = mesh_;
+  still.frame = frame;
+  still.luminaires = luminaires_;
+  still.cut_away = cutAwayLuminaires();
+  still.camera = view_;
+  still.drawn =
+      drawnView(*this->camera(), static_cast<double>(shot.pixels.width()) / shot.pixels.height(),
+                view_.isParallel() ? view_.cut_depth : 0.0);
+  still.look = shot.look.value_or(look_);
+  if (view_.isParallel()) {
+    still.lines = {{cutHatch(), kHatchColor, kHatchWidth},
+                   {cutLines(), kCutColor, kCutWidth},
+                   {planOutlines(), kPlanColor, kPlanWidth}};
+  }
+  still.view_height = height();
+  still.font = font();
+  view_ = camera;
+  luminaires_ = luminaires;
+  placeCamera();
+  return still;
+}
+
 void SceneView::shareMesh(const SceneView& other) {
   if (other.mesh_ == nullptr || other.mesh_ == mesh_) return;
   mesh_ = other.mesh_;

@@ -70,10 +70,10 @@ void main() {
     return;
   }
   float u = float(at.w >> 16u) / 65535.0, v = float(at.w & 0xffffu) / 65535.0;
-  vec3 lux = u * texelFetch(light, int(at.x)).rgb + v * texelFetch(light, int(at.y)).rgb +
-             (1.0 - u - v) * texelFetch(light, int(at.z)).rgb;
-  color = vec4(texelFetch(albedo, pixel, 0).rgb * lux * 0.3183098861837907,
-               max(dot(lux, vec3(0.2126390, 0.7151687, 0.0721923)), 0.0));
+  vec4 lux = u * texelFetch(light, int(at.x)) + v * texelFetch(light, int(at.y)) +
+             (1.0 - u - v) * texelFetch(light, int(at.z));
+  color = vec4(texelFetch(albedo, pixel, 0).rgb * lux.rgb * 0.3183098861837907,
+               max(dot(lux.rgb, vec3(0.2126390, 0.7151687, 0.0721923)) + lux.a, 0.0));
 }
 )";
 
@@ -104,7 +104,8 @@ void bindPicture(int unit, unsigned texture) {
 bool SeenSurfaces::fits(const Mesh& mesh) {
   GLint most = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  return mesh.index_count > 0 && mesh.light != 0 && mesh.index_count <= static_cast<std::size_t>(most) &&
+  return mesh.index_count > 0 && mesh.light != 0 &&
+         mesh.index_count <= static_cast<std::size_t>(most) &&
          3 * mesh.vertex_count <= static_cast<std::size_t>(most);
 }
 

@@ -20,7 +20,8 @@ class SeenSurfaces {
     int height = 0;
     bool operator==(const View&) const = default;
   };
-  /// Buffers of the mesh: three floats per position, four per light (RGB lux and nothing), and the
+  /// Buffers of the mesh: three floats per position, four per light (RGB lux and
+  /// what is added to the illuminance), and the
   /// corners of the triangles that are drawn.
   struct Mesh {
     unsigned positions = 0;
@@ -49,7 +50,7 @@ class SeenSurfaces {
 
   View view_;
   unsigned array_ = 0;
-  unsigned seen_ = 0;     ///< framebuffer: numbers, reflectances, depth
+  unsigned seen_ = 0;  ///< framebuffer: numbers, reflectances, depth
   unsigned numbers_ = 0;
   unsigned albedo_ = 0;
   unsigned depth_ = 0;

@@ -7,6 +7,8 @@
 #include <QPalette>
 #include <QSettings>
 
+#include <cmath>
+
 namespace soffit::ui {
 namespace {
 
@@ -23,7 +25,23 @@ Tones tonesOf(bool dark) {
             QColor(140, 140, 144), QColor(24, 24, 26), QColor(214, 138, 32)};
   }
   return {QColor(240, 240, 241), QColor(255, 255, 255), QColor(248, 248, 249), QColor(28, 28, 30),
-          QColor(120, 120, 124), QColor(196, 196, 200), QColor(196, 112, 8)};
+          QColor(120, 120, 124), QColor(196, 196, 200), QColor(174, 95, 4)};
+}
+
+/// Relative luminance of a color (WCAG 2.1).
+double luminanceOf(const QColor& color) {
+  const auto linear = [](double c) {
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
+         0.0722 * linear(color.blueF());
+}
+
+/// White or nearly black, whichever has more contrast.
+QColor readableOn(const QColor& ground) {
+  const QColor dark(16, 16, 18);
+  const double g = luminanceOf(ground) + 0.05;
+  return 1.05 / g > g / (luminanceOf(dark) + 0.05) ? QColor(Qt::white) : dark;
 }
 
 QPalette paletteOf(const Tones& t) {
@@ -41,7 +59,10 @@ QPalette paletteOf(const Tones& t) {
   p.setColor(QPalette::BrightText, Qt::white);
   p.setColor(QPalette::Link, t.accent);
   p.setColor(QPalette::Highlight, t.accent);
-  p.setColor(QPalette::HighlightedText, Qt::white);
+  p.setColor(QPalette::HighlightedText, readableOn(t.accent));
+  // What Fusion draws lit edges with: next to nothing, as bright lines on dark ground glare.
+  p.setColor(QPalette::Light, t.raised);
+  p.setColor(QPalette::Midlight, t.raised);
   p.setColor(QPalette::Mid, t.line);
   p.setColor(QPalette::Dark, t.line);
   p.setColor(QPalette::Shadow, t.line);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/widgets/theme_style.h"
 
+#include <QListView>
 #include <QPainter>
 #include <QStyleFactory>
 #include <QStyleOption>
@@ -9,6 +10,8 @@
 
 namespace soffit::ui {
 namespace {
+
+constexpr int kListAir = 4;  // px
 
 void drawCheckBox(const QStyleOption& option, QPainter& painter) {
   const QPalette& palette = option.palette;
@@ -69,6 +72,21 @@ void ThemeStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
     return;
   }
   QProxyStyle::drawPrimitive(element, option, painter, widget);
+}
+
+int ThemeStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                          QStyleHintReturn* data) const {
+  if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+  return QProxyStyle::styleHint(hint, option, widget, data);
+}
+
+QSize ThemeStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                                   const QWidget* widget) const {
+  QSize full = QProxyStyle::sizeFromContents(type, option, size, widget);
+  if (type == CT_ItemViewItem && qobject_cast<const QListView*>(widget) != nullptr) {
+    full.rheight() += kListAir;
+  }
+  return full;
 }
 
 }  // namespace soffit::ui

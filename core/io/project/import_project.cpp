@@ -59,7 +59,7 @@ Project makeProject(const fs::path& file, const fs::path& model_file, const Load
   project.scene.name = file.stem().string();
   project.scene.mesh = model.mesh;
   takeMaterials(model, project);
-  project.scene.layouts.push_back({"Base", {}});
+  project.scene.layouts.push_back({"Layout 1", {}});
   addPlaces(*model.mesh, project.scene);
   project.warnings.insert(project.warnings.end(), model.warnings.begin(), model.warnings.end());
   for (std::string& line : scene::implausibleReflectances(project.scene)) {

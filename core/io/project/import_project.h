@@ -45,7 +45,7 @@ bool isModelFile(const std::filesystem::path& file);
 /// The model, the files that it names (MTL, BIN) and its textures are copied beside the project,
 /// at the same relative places; textures stored inside the model are written out. The project has
 /// the geometry, the materials that were found, a camera and a work plane in the largest space at
-/// eye height (startingPlace()), the layout "Base" and no luminaires.
+/// eye height (startingPlace()), the layout "Layout 1" and no luminaires.
 ///
 /// Errors: an unreadable model; a file of the same name but other content beside the project, or
 /// anything that cannot be written. An existing project is kept as NAME.soffit~.

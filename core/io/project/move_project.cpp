@@ -174,7 +174,7 @@ Result<Project> saveProjectAs(const Project& project, const fs::path& path) {
 }
 
 Result<Project> withModel(const Project& project, const fs::path& model_file,
-                          const ImportChoices& choices) {
+                          const ImportChoices& choices, std::vector<std::string>* written_files) {
   const fs::path folder = folderOf(project.path);
   const fs::path from = folderOf(model_file);
   const auto model = loadModel(model_file, from, choices.unit, choices.up, choices.job);
@@ -186,6 +186,9 @@ Result<Project> withModel(const Project& project, const fs::path& model_file,
   CompanionFiles moved;
   for (auto& [name, content] : files) moved.emplace(*place + name, std::move(content));
   if (auto fits = dropPresent(folder, moved); !fits) return fits.error();
+  if (written_files != nullptr) {
+    for (const auto& [name, content] : moved) written_files->push_back(name);
+  }
   if (auto written = writeFiles(folder, moved); !written) return written.error();
 
   Project next = project;

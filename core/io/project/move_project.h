@@ -7,6 +7,8 @@
 #include "core/io/project/project.h"
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 /// Projects that move and grow: what they name goes with them.
 namespace soffit::io {
@@ -25,8 +27,10 @@ Result<Project> saveProjectAs(const Project& project, const std::filesystem::pat
 /// where another file has its name already); the project file itself is not written.
 ///
 /// Luminaires, layouts, cameras and materials stay as they are; materials that the project does
-/// not know come with the model. Errors: an unreadable model; the disk's; cancelled.
+/// not know come with the model. written: receives the files that were not there before, relative
+/// to the folder. Errors: an unreadable model; the disk's; cancelled.
 Result<Project> withModel(const Project& project, const std::filesystem::path& model,
-                          const ImportChoices& choices);
+                          const ImportChoices& choices,
+                          std::vector<std::string>* written = nullptr);
 
 }  // namespace soffit::io

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Prints how fast the application answers a drag: soffit_drag_figures PROJECT [LUMINAIRE].
+// Prints how fast the application answers a drag: soffit_drag_figures PROJECT [LUMINAIRE] [four].
 //
 // Two figures: from the hand's move to the picture in the light of that very place, one after the
-// other; and pictures in new light per second while the hand moves on without waiting.
+// other; and pictures in new light per second while the hand moves on without waiting. Besides, how
+// long a move of the hand keeps the window from anything else. four: with four views.
 #include "ui/main_window/main_window.h"
 
 #include <QApplication>
@@ -58,7 +59,7 @@ void sendMouse(QWidget& widget, QEvent::Type type, const QPointF& at) {
   QApplication::sendEvent(&widget, &event);
 }
 
-int run(const QString& project, const QString& wanted) {
+int run(const QString& project, const QString& wanted, bool four) {
   MainWindow window;
   window.resize(1280, 800);
   window.show();
@@ -85,6 +86,10 @@ int run(const QString& project, const QString& wanted) {
   std::fflush(stdout);
   waitFor([] { return false; }, 3000);  // the mesh of the final solver, and all samples
 
+  if (four) {
+    window.workspace().area->grid().setArrangement(ViewGrid::Arrangement::four);
+    waitFor([] { return false; }, 3000);
+  }
   Document& document = window.session()->document();
   const QString name =
       wanted.isEmpty() ? QString::fromStdString(document.luminaires()[5].name) : wanted;
@@ -102,11 +107,13 @@ int run(const QString& project, const QString& wanted) {
   constexpr int kSteps = 60;
   std::vector<double> answers;
   std::vector<double> light;
+  std::vector<double> hand;
   const double processor_before = processorMilliseconds();
   for (int i = 1; i <= kSteps; ++i) {
     QElapsedTimer timer;
     timer.start();
     sendMouse(view, QEvent::MouseMove, pixelOf(place(i)));
+    hand.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
     if (!waitFor([&] { return shown == window.session()->relighting().revision(); }, 5000))
       return 2;
     if (i <= 10) continue;
@@ -115,6 +122,8 @@ int run(const QString& project, const QString& wanted) {
   }
   std::printf("hand to picture: median %.1f ms, 95 %% %.1f ms (light: median %.1f ms)\n",
               quantile(answers, 0.5), quantile(answers, 0.95), quantile(light, 0.5));
+  std::printf("a move of the hand takes the window: median %.2f ms, most %.2f ms\n",
+              quantile(hand, 0.5), quantile(hand, 1.0));
   std::printf("processor time per step: %.1f ms\n",
               (processorMilliseconds() - processor_before) / kSteps);
   std::fflush(stdout);
@@ -150,10 +159,11 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("soffit-test"));
   QApplication::setApplicationName(QStringLiteral("soffit-drag"));
-  if (argc < 2) {
-    std::fputs("usage: soffit_drag_figures PROJECT [LUMINAIRE]\n", stderr);
+  QStringList arguments = QApplication::arguments().mid(1);
+  const bool four = arguments.removeAll(QStringLiteral("four")) > 0;
+  if (arguments.isEmpty()) {
+    std::fputs("usage: soffit_drag_figures PROJECT [LUMINAIRE] [four]\n", stderr);
     return 2;
   }
-  return soffit::ui::run(QString::fromLocal8Bit(argv[1]),
-                         argc > 2 ? QString::fromLocal8Bit(argv[2]) : QString());
+  return soffit::ui::run(arguments[0], arguments.value(1), four);
 }

@@ -2,6 +2,7 @@
 #include "ui/main_window/light_marks.h"
 
 #include "tests/ui/main_window/window_fixture.h"
+#include "ui/document/text.h"
 #include "ui/widgets/units.h"
 
 #include <QComboBox>
@@ -148,6 +149,40 @@ class LightMarksTest : public QObject {
     QCOMPARE(legend().scale().unit, color::LuxUnit::footcandle);
     QCOMPARE(overlay().marks().scale.unit, color::LuxUnit::footcandle);
     QCOMPARE(fixture_->view().look().scale.unit, color::LuxUnit::footcandle);
+  }
+
+  void allViewsHaveTheirNumbersAndPins() {
+    // On the floor before the blocks: seen from above, too.
+    document().editProbes(QStringLiteral("Pin"), {{"Floor", {1.39, 0.15, 0.0}, {0.0, 0.0, 1.0}}});
+    QVERIFY(fixture_->trigger(QStringLiteral("Wor&k plane values")));
+    ViewGrid& grid = workspace().area->grid();
+    grid.setArrangement(ViewGrid::Arrangement::four);
+    for (std::size_t i = 0; i < 4; ++i) {
+      QTRY_VERIFY(grid.pane(i).view().isValid());
+      const LuxMarks& marks = workspace().area->marks(i).marks();
+      QCOMPARE(marks.numbers.size(), overlay().marks().numbers.size());
+      QCOMPARE(marks.pins.size(), std::size_t{1});
+    }
+    // From above, the floor's values have their place.
+    QTRY_VERIFY(!workspace().area->marks(1).seen().numbers.empty());
+    // A pin is taken hold of in any of them.
+    SceneView& plan = grid.pane(1).view();
+    const dvec3 from = document().probes().front().position;
+    const dvec3 at = plan.viewCamera().project(from, plan.viewSize());
+    const QPoint start(static_cast<int>(at.x), static_cast<int>(at.y));
+    QVERIFY(plan.isSeen(plan.viewCamera(), from));
+    QTest::mousePress(&plan, Qt::LeftButton, {}, start);
+    for (int i = 1; i <= 8; ++i) QTest::mouseMove(&plan, start + QPoint(2 * i, 0));
+    QTest::mouseRelease(&plan, Qt::LeftButton, {}, start + QPoint(16, 0));
+    QVERIFY(glm::length(document().probes().front().position - from) > 0.01);
+    QCOMPARE(overlay().marks().pins.front().at, document().probes().front().position);
+    // Another layout has its own values and none of the probes of this one.
+    const QString other = toQt(document().scene()->layouts[1].name);
+    Q_EMIT grid.pane(2).bar().layoutChosen(other);
+    QVERIFY(workspace().area->marks(2).marks().pins.empty());
+    Q_EMIT grid.pane(2).bar().layoutChosen(std::nullopt);
+    QCOMPARE(workspace().area->marks(2).marks().pins.size(), std::size_t{1});
+    grid.setArrangement(ViewGrid::Arrangement::one);
   }
 
  private:

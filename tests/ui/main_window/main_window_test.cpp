@@ -26,6 +26,9 @@
 #include <QTimer>
 #include <QUndoView>
 
+#include <algorithm>
+#include <cmath>
+
 namespace soffit::ui {
 
 constexpr int kPatienceMs = 180000;
@@ -239,6 +242,19 @@ class MainWindowTest : public QObject {
     QVERIFY(QApplication::palette().color(QPalette::Window).lightness() < 128);
     applyTheme(Theme::light);
     QVERIFY(QApplication::palette().color(QPalette::Window).lightness() > 128);
+    // What is selected can be read: 4.5 to 1 (WCAG 2.1, AA).
+    const auto luminance = [](const QColor& c) {
+      const auto linear = [](double v) {
+        return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+      };
+      return 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
+    };
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+      applyTheme(theme);
+      const double text = luminance(QApplication::palette().color(QPalette::HighlightedText));
+      const double ground = luminance(QApplication::palette().color(QPalette::Highlight));
+      QVERIFY((std::max(text, ground) + 0.05) / (std::min(text, ground) + 0.05) >= 4.5);
+    }
   }
 
  private:

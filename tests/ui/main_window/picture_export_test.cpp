@@ -5,13 +5,17 @@
 #include "core/io/image/read_image.h"
 #include "tests/ui/main_window/window_fixture.h"
 #include "ui/actions/picture_dialog.h"
+#include "ui/viewport/still_renderer.h"
 
 #include <QClipboard>
 #include <QColorSpace>
 #include <QDialogButtonBox>
 #include <QListWidget>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStatusBar>
+#include <QToolButton>
 
 namespace soffit::ui {
 
@@ -157,9 +161,116 @@ class PictureExportTest : public QObject {
   }
 
   void thePictureGoesIntoTheClipboard() {
+    QSignalSpy copied(&pictures(), &PictureExport::copied);
     QVERIFY(fixture_->trigger(QStringLiteral("Cop&y the picture")));
+    QTRY_VERIFY_WITH_TIMEOUT(!copied.isEmpty(), kPatienceMs);
     const SceneView& view = fixture_->view();
     QCOMPARE(QApplication::clipboard()->image().size(), view.pixelSize());
+  }
+
+  /// More than one piece each way, with lines that look at their neighbours.
+  void aPictureInPiecesHasNoSeams() {
+    fixture_->window->workspace().view->setIsolines(true);
+    const QSize size(1400, 900);
+    const QString path = fixture_->folder.filePath(QStringLiteral("pieces.png"));
+    Shot shot;
+    shot.pixels = size;
+    const QImage whole = fixture_->view().take(shot).image;
+    auto still = fixture_->view().still(shot);
+    QVERIFY(still.has_value());
+    StillRenderer renderer;
+    const auto pieces = renderer.render(*still, {});
+    fixture_->window->workspace().view->setIsolines(false);
+    QVERIFY(pieces.ok());
+    const QImage& image = pieces->image;
+    QCOMPARE(image.size(), size);
+    qsizetype unlike = 0;
+    for (int y = 0; y < size.height(); ++y) {
+      for (int i = 0; i < 3 * size.width(); ++i) {
+        const int step = std::abs(int{image.constScanLine(y)[i]} - int{whole.constScanLine(y)[i]});
+        unlike += step > 1 ? 1 : 0;
+      }
+    }
+    // The viewport is cut off at other places: single pixels at edges may round otherwise.
+    QVERIFY2(unlike < qsizetype{3} * size.width() * size.height() / 10000,
+             qPrintable(QString::number(unlike)));
+  }
+
+  void aPictureIsOfTheMomentItWasAskedFor() {
+    const QString before = fixture_->folder.filePath(QStringLiteral("before.png"));
+    const QString during = fixture_->folder.filePath(QStringLiteral("during.png"));
+    const QString after = fixture_->folder.filePath(QStringLiteral("after.png"));
+    write(before, {800, 500});
+    QSignalSpy written(&pictures(), &PictureExport::written);
+    pictures().exportView(during, {800, 500}, false, false);
+    QVERIFY(pictures().isBusy() && written.isEmpty());  // the window goes on
+    fixture_->switchFirst();
+    fixture_->view().setViewCamera(ViewCamera());
+    QTRY_VERIFY_WITH_TIMEOUT(!written.isEmpty(), kPatienceMs);
+    QVERIFY(fixture_->lit());
+    write(after, {800, 500});
+    fixture_->document().undoStack()->undo();
+    fixture_->window->session()->showFirstCamera();
+    QVERIFY(fixture_->lit());
+    QCOMPARE(QImage(during), QImage(before));
+    QVERIFY(QImage(after) != QImage(before));
+  }
+
+  void aLargePictureTellsItsProgressAndCanBeGivenUp() {
+    const QString path = fixture_->folder.filePath(QStringLiteral("4k.png"));
+    auto* cancel = fixture_->window->statusBar()->findChild<QToolButton*>();
+    QVERIFY(cancel != nullptr && !cancel->isVisible());
+    QSignalSpy written(&pictures(), &PictureExport::written);
+    QSignalSpy failed(&pictures(), &PictureExport::failed);
+    pictures().exportView(path, {3840, 2160}, false, false);
+    QVERIFY(cancel->isVisible());
+    auto* progress = fixture_->window->statusBar()->findChild<QProgressBar*>();
+    QTRY_VERIFY_WITH_TIMEOUT(progress->value() > 0, kPatienceMs);
+    const int frames = fixture_->view().frameCount();
+    fixture_->view().update();
+    QTRY_VERIFY(fixture_->view().frameCount() > frames);
+    QVERIFY(pictures().isBusy());
+    cancel->click();
+    QTRY_VERIFY(!pictures().isBusy());
+    QVERIFY(!cancel->isVisible());
+    QVERIFY(written.isEmpty() && failed.isEmpty() && !QFile::exists(path));
+  }
+
+  void aPlanIsExportedWithItsLines() {
+    SceneView& view = fixture_->view();
+    fixture_->window->workspace().area->active().show(StandardView::section_front);
+    ViewCamera camera = view.viewCamera();
+    camera.setCutPlace(camera.cutPlace() + 100.0);  // nothing but the outlines of luminaires
+    view.setViewCamera(camera);
+    Shot shot;
+    shot.pixels = view.pixelSize();
+    auto still = view.still(shot);
+    QVERIFY(still.has_value());
+    StillRenderer renderer;
+    auto picture = renderer.render(*still, {});
+    QVERIFY(picture.ok());
+    QCOMPARE(meanOf(picture->image), 0.0);
+    still->lines.push_back({{vec3(-1.0F, 0.0F, 1.0F), vec3(1.0F, 0.0F, 1.0F)}, vec3(1.0F), 2.0});
+    paintMarks(*still, *picture);
+    QVERIFY(meanOf(picture->image) > 0.0);
+    fixture_->window->session()->showFirstCamera();
+  }
+
+  void aSetThatCannotBeWrittenIsToldOnce() {
+    PictureSet set;
+    set.cameras = {QStringLiteral("Classic"), QStringLiteral("Inside")};
+    set.layouts = {QStringLiteral("Classic")};
+    set.pixels = {64, 40};
+    set.folder = fixture_->folder.filePath(QStringLiteral("no/where"));
+    QSignalSpy failed(&pictures(), &PictureExport::failed);
+    QSignalSpy finished(&pictures(), &PictureExport::setFinished);
+    WindowFixture::answer(QMessageBox::Ok);
+    pictures().exportSet(set);
+    QTRY_VERIFY_WITH_TIMEOUT(!failed.isEmpty() && !pictures().isBusy(), kPatienceMs);
+    QCOMPARE(failed.size(), 1);
+    QCOMPARE(finished.size(), 1);
+    QCOMPARE(finished.front().front().toInt(), 0);
+    QVERIFY(failed.front().front().toString().contains(set.folder));
   }
 
   void aFolderThatIsNotThereIsTold() {

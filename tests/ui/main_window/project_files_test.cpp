@@ -13,6 +13,7 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QMimeData>
 #include <QProcess>
 #include <QPushButton>
@@ -116,6 +117,24 @@ class ProjectFilesTest : public QObject {
     QCOMPARE(document().scene()->mesh->triangleCount(), before);
     QVERIFY(fixture_->trigger(QStringLiteral("&Save")));
     QCOMPARE(io::loadProject(fixture_->project.toStdString())->geometry.size(), std::size_t{1});
+    // Its files are there as long as a redo may want them.
+    QVERIFY(QFile::exists(fixture_->folder.filePath(QStringLiteral("room.obj"))));
+    QVERIFY(fixture_->window->close());
+    QVERIFY(!QFile::exists(fixture_->folder.filePath(QStringLiteral("room.obj"))));
+    QVERIFY(!QFile::exists(fixture_->folder.filePath(QStringLiteral("room.mtl"))));
+    QVERIFY(QFile::exists(fixture_->folder.filePath(QStringLiteral("cornell.obj"))));
+  }
+
+  void anImportedProjectHasNoSecondBase() {
+    const auto made = io::importProject(
+        toPath(writeRoom()), toPath(fixture_->folder.filePath(QStringLiteral("h.soffit"))), {});
+    QVERIFY(made.ok());
+    LayoutsPanel panel;
+    Document document(*made);
+    panel.setDocument(&document);
+    auto* list = panel.findChild<QListWidget*>();
+    QCOMPARE(list->findItems(QStringLiteral("Base"), Qt::MatchExactly).size(), 1);
+    panel.setDocument(nullptr);
   }
 
   void filesAreDroppedOnTheWindow() {

@@ -83,6 +83,17 @@ class VerifyTest : public QObject {
     (void)map.grab();
     QVERIFY(map.drawn() > 50);
     QVERIFY(map.drawn() < static_cast<int>(map.points().size()));
+    // Every view has them, but for one that shows another layout.
+    ViewArea& area = *fixture_.window->workspace().area;
+    area.grid().setArrangement(ViewGrid::Arrangement::four);
+    QCOMPARE(area.errors(3).points().size(), map.points().size());
+    QVERIFY(area.errors(1).isVisible());
+    const std::string& other = fixture_.document().scene()->layouts.back().name;
+    Q_EMIT area.grid().pane(1).bar().layoutChosen(QString::fromStdString(other));
+    QVERIFY(area.errors(1).points().empty());
+    Q_EMIT area.grid().pane(1).bar().layoutChosen(std::nullopt);
+    QVERIFY(!area.errors(1).points().empty());
+    area.grid().setArrangement(ViewGrid::Arrangement::one);
     fixture_.switchFirst();
     QVERIFY(!map.isVisible());
   }

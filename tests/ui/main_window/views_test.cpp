@@ -168,6 +168,23 @@ class ViewsTest : public QObject {
     QVERIFY(grid().first().view().height() < area.height());
   }
 
+  void theLegendHidesNoViewNorTheBarOfAComparison() {
+    ViewArea& area = *fixture_->window->workspace().area;
+    show(Arrangement::four);
+    fixture_->window->workspace().view->setFalseColor(true);
+    for (std::size_t i = 0; i < 4; ++i) {
+      QVERIFY(!area.legend().geometry().intersects(grid().pane(i).view().geometry()));
+    }
+    fixture_->window->session()->comparison().setMode(ComparisonMode::side_by_side);
+    const QRect bar = area.comparison().bar().geometry();
+    QVERIFY(area.rect().contains(bar));
+    QVERIFY(!area.legend().geometry().intersects(bar));
+    QVERIFY(!grid().first().bar().geometry().intersects(bar));
+    fixture_->window->session()->comparison().setMode(ComparisonMode::off);
+    fixture_->window->workspace().view->setFalseColor(false);
+    QCOMPARE(grid().pane(1).view().geometry().right() + 2, area.width());
+  }
+
   void viewsComeBackWithTheWindow() {
     show(Arrangement::over);
     grid().pane(1).show(StandardView::back);

@@ -105,6 +105,26 @@ class FlatViewsTest : public QObject {
     QVERIFY(meanOf(picture()) < 0.1 * before);
   }
 
+  void bodiesAreHatchedWhereTheyAreCut() {
+    // The tall block reaches through the cut of the plan, the short one ends below it.
+    v_->view->setViewCamera(flat(StandardView::plan));
+    Shot shot;
+    shot.pixels = {640, 400};
+    const auto still = v_->view->still(shot);
+    QVERIFY(still.has_value());
+    const std::vector<vec3>& ends = still->lines.front().ends;
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+      QVERIFY(ends[i].x > 0.41F && ends[i].x < 1.47F && ends[i].y > 1.22F && ends[i].y < 2.29F);
+      length += static_cast<double>(glm::length(ends[i + 1] - ends[i]));
+    }
+    // Its foot is 0.827 m by 0.837 m; every line may err by its spacing of 5 cm.
+    QVERIFY2(std::abs(0.05 * length - 0.827 * 0.837) < 0.05 * 2.0 * (0.827 + 0.837) / 2.0,
+             qPrintable(QString::number(0.05 * length)));
+    v_->view->setViewCamera(flat(StandardView::front));  // before all there is
+    QVERIFY(v_->view->still(shot)->lines.front().ends.empty());
+  }
+
   /// Light of triangles seen in parallel, from what is known of the pixels: as in perspective.
   void whatIsKnownOfAViewGivesTheSamePicture() {
     v_->view->setViewCamera(flat(StandardView::plan));

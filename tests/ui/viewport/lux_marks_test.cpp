@@ -92,6 +92,20 @@ class LuxMarksTest : public QObject {
     QCOMPARE(seen.labels[0].text, QStringLiteral("7.5"));
   }
 
+  void numbersAndLabelsKeepClearOfPins() {
+    marks_.pins.push_back(
+        {dvec3(2.0, 2.0, 0.8), QStringLiteral("Desk"), QStringLiteral("512 lx"), false});
+    SeenMarks seen = seenFrom(marks_, from(12.0), QFont());
+    QCOMPARE(seen.pins.size(), std::size_t{1});
+    const QRectF plate = seen.pins.front().plate.box;
+    QVERIFY(!seen.numbers.empty());
+    for (const auto& number : seen.numbers) QVERIFY(!number.box.intersects(plate));
+    seen.numbers.clear();
+    const QPointF taken = plate.center();
+    addLineLabels({{vec2(dvec2(taken.x(), taken.y())), 100.0}}, 1.0, {}, QFont(), seen);
+    QVERIFY(seen.labels.empty());
+  }
+
   void aGridThinsFromItsMiddleRegularly() {
     QCOMPARE(gridRank(8, 8, 17, 17), 0);
     QCOMPARE(gridRank(0, 8, 17, 17), 1);

@@ -36,7 +36,7 @@ TEST(ImportProject, CopiesTheModelAndWritesAProjectThatLoads) {
   EXPECT_EQ(project->scene.mesh->triangleCount(), 12U);
   EXPECT_EQ(project->scene.materials[0].diffuse, dvec3(0.7, 0.6, 0.5)) << "as its author wrote it";
   ASSERT_EQ(project->scene.layouts.size(), 1U);
-  EXPECT_EQ(project->scene.layouts[0].name, "Base");
+  EXPECT_EQ(project->scene.layouts[0].name, "Layout 1");
   EXPECT_EQ(project->scene.cameras.size(), 1U);
   EXPECT_EQ(project->scene.work_planes.size(), 1U);
   EXPECT_TRUE(project->scene.luminaires.empty());

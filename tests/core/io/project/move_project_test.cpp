@@ -86,8 +86,10 @@ TEST(WithModel, AddsGeometryAndLeavesTheRest) {
   folder.write("elsewhere/chair.mtl", "newmtl oak\nKd 0.4 0.3 0.2\n");
   ImportChoices choices;
   choices.unit = 0.01;
-  const auto grown = withModel(*project, model, choices);
+  std::vector<std::string> written;
+  const auto grown = withModel(*project, model, choices, &written);
   ASSERT_TRUE(grown) << grown.error().message();
+  EXPECT_THAT(written, testing::ElementsAre("chair.mtl", "chair.obj"));
   EXPECT_EQ(grown->geometry.size(), 2U);
   EXPECT_EQ(grown->geometry[1].file, "chair.obj");
   EXPECT_TRUE(folder.has("chair.obj"));
