@@ -87,7 +87,8 @@ std::shared_ptr<const transfer::StaticScene> makeStaticScene(const scene::Scene&
   for (const scene::WorkPlane& plane : scene.work_planes) {
     inside.emplace_back(plane.origin + 0.5 * (plane.u + plane.v) - origin);
   }
-  return transfer::makeStaticScene(scene.mesh, inside);
+  return transfer::makeStaticScene(scene.mesh, inside,
+                                   daylight::Panes::make(*scene.mesh, scene.materials));
 }
 
 Result<std::shared_ptr<const Solver>> makeSolver(const scene::Scene& scene, const QualitySettings& quality,

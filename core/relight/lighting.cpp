@@ -97,6 +97,9 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
   }
   emitters_ = std::move(emitters);
   entries_ = std::move(entries);
+  if (!keep) {
+    if (auto done = computeOutdoors(job); !done) return done;
+  }
   grabbed_ = static_cast<std::size_t>(-1);
   for (std::size_t i = 0; i < emitters_.size(); ++i) {
     if (job.cancelled()) return Error{"light", "cancelled", ""};
@@ -117,6 +120,7 @@ Result<void> Lighting::repaint(std::shared_ptr<const Solver> solver, const Job& 
     solver_->indirect(entries_[i].column, open);
     entries_[i].ready = true;
   }
+  for (Column& column : outdoors_.columns) solver_->indirect(column, open);
   return {};
 }
 
@@ -151,6 +155,13 @@ std::optional<Planes> Lighting::totalUnder(const Solver& painted) const {
     painted.indirect(column, open);
     painted.add(column, color, total);
   }
+  for (std::size_t k = 0; k < outdoors_.columns.size(); ++k) {
+    Column column;
+    column.direct = outdoors_.columns[k].direct;
+    column.lit = outdoors_.columns[k].lit;
+    painted.indirect(column, open);
+    painted.add(column, outdoors_.weight(k), total);
+  }
   painted.fill(total);
   return total;
 }
@@ -166,6 +177,7 @@ Planes Lighting::total() const {
   for (std::size_t i = 0; i < emitters_.size(); ++i) {
     if (emitters_[i].gain > 0.0) solver_->add(entries_[i].column, weight(i), sum);
   }
+  addOutdoors(sum, true);
   solver_->fill(sum);
   return sum;
 }
@@ -179,6 +191,7 @@ Planes Lighting::indirectTotal() const {
     indirect.node = entries_[i].column.node;
     solver_->add(indirect, weight(i), sum);
   }
+  addOutdoors(sum, false);
   solver_->fill(sum);
   for (auto& plane : sum) {
     for (float& e : plane) e = std::max(e, 0.0F);
@@ -199,6 +212,11 @@ void Lighting::grab(std::size_t index) {
     for (std::size_t c = 0; c < 3; ++c) {
       for (std::size_t s = 0; s < slots; ++s) sum[c][s] += static_cast<double>(one[c][s]);
     }
+  }
+  Planes outside = zeros(slots);
+  addOutdoors(outside, true);
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t s = 0; s < slots; ++s) sum[c][s] += static_cast<double>(outside[c][s]);
   }
   rest_ = zeros(slots);
   for (std::size_t c = 0; c < 3; ++c) {
@@ -237,6 +255,19 @@ std::vector<SensorLight> Lighting::read(const Sensors& sensors, std::optional<st
     solver_->indirect(again, open, &one);
     const vec4 w4(vec3(w), 0.0F);
     for (std::size_t s = 0; s < one.size(); ++s) source[s] += w4 * one[s];
+  }
+  if (environment_ != nullptr && !only) {
+    const std::vector<dvec3> direct = sensors.outdoors(*solver_, *environment_, allBodies());
+    for (std::size_t k = 0; k < out.size(); ++k) out[k].direct += direct[k];
+    for (std::size_t c = 0; c < outdoors_.columns.size(); ++c) {
+      std::vector<vec4> one;
+      Column again;
+      again.direct = outdoors_.columns[c].direct;
+      again.lit = outdoors_.columns[c].lit;
+      solver_->indirect(again, open, &one);
+      const vec4 w4(vec3(outdoors_.weight(c)), 0.0F);
+      for (std::size_t s = 0; s < one.size(); ++s) source[s] += w4 * one[s];
+    }
   }
   const std::vector<dvec3> indirect = sensors.indirect(source);
   for (std::size_t k = 0; k < out.size(); ++k) out[k].indirect = indirect[k];

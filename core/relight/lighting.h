@@ -2,7 +2,9 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/daylight/environment.h"
 #include "core/light/emitter.h"
+#include "core/relight/outdoors.h"
 #include "core/relight/sensors.h"
 #include "core/relight/solver.h"
 
@@ -12,8 +14,6 @@
 #include <vector>
 
 namespace soffit::relight {
-
-using Planes = std::array<std::vector<float>, 3>;
 
 /// The light of a set of luminaires in one scene, a column each: what moved is computed, what only
 /// changed its dimming, colour or switch is mixed again (design.md § 1).
@@ -29,6 +29,19 @@ class Lighting {
   /// Replaces all luminaires; columns of emitters whose light is unchanged are kept.
   /// Errors: makeEmitter's, with the luminaire's name as the place.
   Result<void> setLuminaires(std::span<const light::Luminaire> luminaires, const Job& job = {});
+
+  /// What shines in from outside from now on, null: nothing. Its light is computed here, luminaires
+  /// stay as they are; another sky over the same building takes no rays but the sun's. The body of a
+  /// luminaire shades the sun, and not the sky; while one is in hand, the sun's shadow of its body
+  /// stays where it was.
+  /// Errors: cancelled; nothing shines in then.
+  Result<void> setEnvironment(std::shared_ptr<const daylight::Environment> environment,
+                              const Job& job = {});
+  [[nodiscard]] const daylight::Environment* environment() const { return environment_.get(); }
+  /// Direct light of the sky at the texels, RGB lux, the sun left out; empty without surroundings.
+  [[nodiscard]] const Planes& skyDirect() const { return outdoors_.sky; }
+  /// The bodies of all luminaires.
+  [[nodiscard]] std::vector<light::MaskBlocker> allBodies() const;
 
   /// The same luminaires under a solver of other reflectances (Solver::repainted()): direct light
   /// stays, its reflections are computed anew. A luminaire in hand is let go.
@@ -62,7 +75,7 @@ class Lighting {
   /// The indirect part of it alone (for pictures, which compute direct light per pixel).
   [[nodiscard]] Planes indirectTotal() const;
 
-  /// Readings of all luminaires, or of one.
+  /// Readings of all luminaires and the surroundings, or of one luminaire.
   [[nodiscard]] std::vector<SensorLight> read(const Sensors& sensors, std::optional<std::size_t> only = {}) const;
 
   [[nodiscard]] const light::DirectCounts& counts() const { return counts_; }
@@ -75,6 +88,8 @@ class Lighting {
     bool ready = false;   ///< all of the column is
   };
   void compute(std::size_t i);
+  Result<void> computeOutdoors(const Job& job);
+  void addOutdoors(Planes& sum, bool with_direct) const;
   /// The entry whose column is the light of this emitter, entries_.size() for none.
   [[nodiscard]] std::size_t columnFor(const light::Emitter& emitter, std::size_t at) const;
   [[nodiscard]] std::vector<light::MaskBlocker> otherBodies(std::size_t i) const;
@@ -84,6 +99,8 @@ class Lighting {
   std::shared_ptr<const Solver> solver_;
   std::vector<light::Emitter> emitters_;
   std::vector<Entry> entries_;
+  std::shared_ptr<const daylight::Environment> environment_;
+  Outdoors outdoors_;
   std::size_t grabbed_ = static_cast<std::size_t>(-1);
   Planes rest_;
   Planes moved_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/progress.h"
+#include "core/daylight/open_sky.h"
 #include "core/light/direct_stage.h"
 #include "core/relight/reflectance.h"
 #include "core/transfer/far_blocks.h"
@@ -15,6 +17,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -87,7 +90,16 @@ class Solver {
   /// Gives invalid texels the light of the valid ones they stand for.
   void fill(std::array<std::vector<float>, 3>& total) const;
 
+  /// What each slot sees of the surroundings: looked at once per geometry, when somebody asks, and
+  /// shared by solvers of other reflectances. Null when cancelled.
+  [[nodiscard]] std::shared_ptr<const daylight::OpenSky> openSky(const Job& job = {}) const;
+
  private:
+  /// Shared by copies.
+  struct Sky {
+    std::mutex mutex;
+    std::shared_ptr<const daylight::OpenSky> open;
+  };
   using Planes = std::array<std::vector<float>, 3>;
   void addCluster(const Column& column, const vec4& weight, std::size_t cluster, Planes& total) const;
   void addIndirect(const Column& column, const vec4& weight, std::size_t cluster, Planes& total) const;
@@ -116,6 +128,7 @@ class Solver {
   std::vector<std::uint32_t> filled_;         ///< slots that show another's light
   std::vector<std::uint32_t> first_patch_;    ///< per cluster, then the end
   std::vector<vec3> sends_moment_;            ///< per patch: sum sends phi of its functions
+  std::shared_ptr<Sky> sky_ = std::make_shared<Sky>();
 };
 
 }  // namespace soffit::relight
