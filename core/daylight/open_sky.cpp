@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <utility>
 
 namespace soffit::daylight {
 namespace {
@@ -22,7 +23,8 @@ constexpr int kFineLook = 64;
 OpenSky::OpenSky(std::span<const vec3> positions, std::span<const vec3> normals,
                  const geometry::RayCaster& opaque, const Panes* panes, const LookOptions& options,
                  const Job& job)
-    : coarse_(options.coarse), normals_(normals.begin(), normals.end()) {
+    : normals_(normals.begin(), normals.end()) {
+  look_.coarse = options.coarse;
   assert(options.coarse % 4 == 0 && options.coarse << options.levels <= 512);
   const std::vector<PaneSeed> seeds = paneSeeds(panes);
   constexpr std::size_t kChunk = 128;
@@ -57,17 +59,29 @@ OpenSky::OpenSky(std::span<const vec3> positions, std::span<const vec3> normals,
                  static_cast<double>(++done) / static_cast<double>(parts.size()));
     }
   });
-  first_.push_back(0);
+  look_.first.push_back(0);
   for (const Part& part : parts) {
-    leaves_.insert(leaves_.end(), part.leaves.begin(), part.leaves.end());
-    for (const std::uint32_t n : part.count) first_.push_back(first_.back() + n);
+    look_.leaves.insert(look_.leaves.end(), part.leaves.begin(), part.leaves.end());
+    for (const std::uint32_t n : part.count) look_.first.push_back(look_.first.back() + n);
     rays_ += part.rays;
   }
 }
 
+std::optional<OpenSky> OpenSky::restored(std::span<const vec3> normals, Look look) {
+  if (look.first.size() != normals.size() + 1 || look.first.front() != 0 ||
+      look.first.back() != look.leaves.size() || look.coarse < 4 || look.coarse > 512 ||
+      !std::is_sorted(look.first.begin(), look.first.end())) {
+    return std::nullopt;
+  }
+  OpenSky sky;
+  sky.normals_.assign(normals.begin(), normals.end());
+  sky.look_ = std::move(look);
+  return sky;
+}
+
 OpenSky::Leaf OpenSky::unpack(std::uint32_t leaf) const {
   const std::uint32_t level = leaf >> 18U & 7U;
-  const float size = 1.0F / static_cast<float>(coarse_ << level);
+  const float size = 1.0F / static_cast<float>(look_.coarse << level);
   return {static_cast<float>(leaf & 511U) * size, static_cast<float>(leaf >> 9U & 511U) * size,
           size, kPiF * size * size * static_cast<float>(leaf >> 21U) / kShares};
 }
@@ -86,8 +100,8 @@ std::vector<vec3> OpenSky::illuminance(const Environment& environment) const {
   parallelFor(size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       dvec3 sum(0.0);
-      for (std::uint32_t k = first_[i]; k < first_[i + 1]; ++k) {
-        const Leaf leaf = unpack(leaves_[k]);
+      for (std::uint32_t k = look_.first[i]; k < look_.first[i + 1]; ++k) {
+        const Leaf leaf = unpack(look_.leaves[k]);
         int cuts = std::max(1, static_cast<int>(leaf.size * kFineLook));
         // Toward the receiver's horizon equal steps of the square are ever larger angles: the last
         // of 64 spans ten degrees, over which clear skies change much.

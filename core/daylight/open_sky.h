@@ -8,6 +8,7 @@
 #include "core/math/vec.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,13 +43,25 @@ class OpenSky {
 
   [[nodiscard]] std::size_t size() const { return normals_.size(); }
   [[nodiscard]] std::size_t bytes() const {
-    return leaves_.size() * sizeof(std::uint32_t) + first_.size() * sizeof(std::uint32_t) +
+    return (look_.leaves.size() + look_.first.size()) * sizeof(std::uint32_t) +
            normals_.size() * sizeof(vec3);
   }
+
+  /// What was found, for keeping.
+  struct Look {
+    int coarse = 16;
+    std::vector<std::uint32_t> first;   ///< per receiver, into leaves; one more at the end
+    std::vector<std::uint32_t> leaves;  ///< column 9 bits, row 9, level 3, share 11
+  };
+  [[nodiscard]] const Look& found() const { return look_; }
+  [[nodiscard]] std::span<const vec3> normals() const { return normals_; }
+  /// A look that was kept, of receivers with these normals; nothing when it does not fit them.
+  static std::optional<OpenSky> restored(std::span<const vec3> normals, Look look);
+
   /// Rays traced.
   [[nodiscard]] std::uint64_t rays() const { return rays_; }
   /// Whether any receiver sees anything of the outside.
-  [[nodiscard]] bool any() const { return !leaves_.empty(); }
+  [[nodiscard]] bool any() const { return !look_.leaves.empty(); }
 
   /// RGB lux of smoothRadiance() per receiver.
   [[nodiscard]] std::vector<vec3> illuminance(const Environment& environment) const;
@@ -57,8 +70,8 @@ class OpenSky {
   /// times radiance is the illuminance.
   template <class Visit>
   void forEachLeaf(std::size_t receiver, const Visit& visit) const {
-    for (std::uint32_t k = first_[receiver]; k < first_[receiver + 1]; ++k) {
-      const Leaf leaf = unpack(leaves_[k]);
+    for (std::uint32_t k = look_.first[receiver]; k < look_.first[receiver + 1]; ++k) {
+      const Leaf leaf = unpack(look_.leaves[k]);
       visit(directionAt(receiver, leaf.x + 0.5F * leaf.size, leaf.y + 0.5F * leaf.size),
             leaf.weight);
     }
@@ -72,10 +85,8 @@ class OpenSky {
   [[nodiscard]] Leaf unpack(std::uint32_t leaf) const;
   [[nodiscard]] vec3 directionAt(std::size_t receiver, float u, float v) const;
 
-  int coarse_ = 16;
   std::vector<vec3> normals_;
-  std::vector<std::uint32_t> first_;   ///< per receiver, into leaves_; one more at the end
-  std::vector<std::uint32_t> leaves_;  ///< column 9 bits, row 9, level 3, share 11
+  Look look_;
   std::uint64_t rays_ = 0;
 };
 

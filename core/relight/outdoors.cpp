@@ -2,6 +2,7 @@
 #include "core/relight/outdoors.h"
 
 #include "core/base/parallel.h"
+#include "core/relight/sky_cache.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,9 +92,12 @@ std::shared_ptr<const daylight::OpenSky> Solver::openSky(const Job& job) const {
     // Slots that show another's light need no look of their own.
     if (operators_->fill_from[s] == s) normals[s] = receivers.normal(s);
   }
+  if (!sky_->store.empty()) sky_->open = readSky(sky_->store, normals);
+  if (sky_->open != nullptr) return sky_->open;
   auto open = std::make_shared<const daylight::OpenSky>(
       positions, normals, scene_->caster, scene_->panes.get(), daylight::LookOptions{}, job);
   if (job.cancelled()) return nullptr;
+  if (!sky_->store.empty()) writeSky(sky_->store, *open);
   sky_->open = open;
   return open;
 }

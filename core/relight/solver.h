@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -93,11 +94,14 @@ class Solver {
   /// What each slot sees of the surroundings: looked at once per geometry, when somebody asks, and
   /// shared by solvers of other reflectances. Null when cancelled.
   [[nodiscard]] std::shared_ptr<const daylight::OpenSky> openSky(const Job& job = {}) const;
+  /// Keeps it in a file between calls (sky_cache.h).
+  void keepSky(std::filesystem::path store) { sky_->store = std::move(store); }
 
  private:
   /// Shared by copies.
   struct Sky {
     std::mutex mutex;
+    std::filesystem::path store;  ///< where it is kept between calls; empty: nowhere
     std::shared_ptr<const daylight::OpenSky> open;
   };
   using Planes = std::array<std::vector<float>, 3>;

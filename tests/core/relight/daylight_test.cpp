@@ -2,11 +2,14 @@
 #include "core/reference/estimate.h"
 #include "core/relight/direct_light.h"
 #include "core/relight/engine.h"
+#include "core/relight/sky_cache.h"
 #include "core/transfer/cache_key.h"
 #include "tests/core/relight/readings.h"
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <map>
 
 /// Sky, sun and glass in the engine against the path tracer and closed forms.
@@ -286,6 +289,30 @@ TEST(Daylight, TheBakeKnowsItsGlass) {
   EXPECT_EQ(transfer::cacheKey(*makeStaticScene(scene), quickSettings()), before);
   scene.materials[1].glass->transmittance = 0.5;
   EXPECT_NE(transfer::cacheKey(*makeStaticScene(scene), quickSettings()), before);
+}
+
+TEST(Daylight, ALookIsKeptAndFoundAgain) {
+  const auto open = windowSolver(true)->openSky();
+  const auto folder = std::filesystem::temp_directory_path() / "soffit-daylight-test";
+  const auto path = folder / "one-sky.bake";
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(readSky(path, open->normals()), nullptr) << "not there yet";
+  writeSky(path, *open);
+  const auto again = readSky(path, open->normals());
+  ASSERT_NE(again, nullptr);
+  EXPECT_EQ(again->found().first, open->found().first);
+  EXPECT_EQ(again->found().leaves, open->found().leaves);
+  std::vector<vec3> others(open->normals().begin(), open->normals().end());
+  others[0] = -others[0];
+  EXPECT_EQ(readSky(path, others), nullptr) << "other receivers";
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(200);
+  file.put('x');
+  file.close();
+  EXPECT_EQ(readSky(path, open->normals()), nullptr) << "damaged";
+  std::filesystem::resize_file(path, 150);
+  EXPECT_EQ(readSky(path, open->normals()), nullptr) << "cut short";
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Daylight, ACancelledLookLeavesNoSky) {
