@@ -27,6 +27,11 @@ Result<Engine> makeEngine(const io::Project& project, const CommonOptions& optio
     engine.lighting = std::make_shared<relight::Lighting>(engine.solver);
     const auto set = engine.lighting->setLuminaires(project.scene.luminaires, job);
     if (!set) return set.error();
+    if (project.scene.environment) {
+      const auto shone = engine.lighting->setEnvironment(
+          std::make_shared<daylight::Environment>(*project.scene.environment), job);
+      if (!shone) return shone.error();
+    }
   }
   return engine;
 }

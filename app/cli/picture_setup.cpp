@@ -75,7 +75,9 @@ Result<std::unique_ptr<render::ViewScene>> makeViewScene(
     const scene::Scene& scene, std::shared_ptr<const geometry::RayCaster> caster) {
   const geometry::Mesh& mesh = *scene.mesh;
   if (caster == nullptr) {
-    caster = std::make_shared<const geometry::RayCaster>(mesh.positions, mesh.triangles);
+    const auto panes = daylight::Panes::make(mesh, scene.materials);
+    caster = std::make_shared<const geometry::RayCaster>(
+        daylight::opaqueCaster(mesh, panes.get()));
   }
   std::vector<light::Emitter> emitters;
   for (const light::Luminaire& luminaire : scene.luminaires) {

@@ -83,13 +83,19 @@ Result<std::vector<LayoutFigures>> compareLayouts(std::shared_ptr<const relight:
                                                   std::span<const scene::WorkPlane> planes,
                                                   std::span<const LayoutCase> layouts,
                                                   int sensor_rays, std::uint64_t seed,
-                                                  const Job& job, const LayoutVisitor& visit) {
+                                                  const Job& job, const LayoutVisitor& visit,
+                                                  std::shared_ptr<const daylight::Environment>
+                                                      environment) {
   const std::vector<scene::Sensor> sensors = sensorsOfAll(planes);
   std::optional<relight::Sensors> prepared;
   if (!sensors.empty()) {
     prepared.emplace(*solver, sensors, relight::Quantity::planar, sensor_rays, seed);
   }
   const auto lighting = std::make_shared<relight::Lighting>(solver);
+  if (environment != nullptr) {
+    const auto shone = lighting->setEnvironment(std::move(environment), job);
+    if (!shone) return shone.error();
+  }
   std::vector<LayoutFigures> out;
   for (std::size_t i = 0; i < layouts.size(); ++i) {
     job.report("comparing layouts", static_cast<double>(i) / static_cast<double>(layouts.size()));

@@ -60,12 +60,15 @@ using LayoutVisitor =
 /// Figures of every layout, computed one after the other on one engine: the bake is shared, and
 /// so is the light of each luminaire that the layout before has at the same place.
 ///
+/// environment  shines in every layout; null: none.
 /// sensor_rays  squared: gather rays per point of a work plane (QualitySettings).
 /// Errors: a luminaire's, with the layout's name; the visitor's; cancelled.
 Result<std::vector<LayoutFigures>> compareLayouts(std::shared_ptr<const relight::Solver> solver,
                                                   std::span<const scene::WorkPlane> planes,
                                                   std::span<const LayoutCase> layouts,
                                                   int sensor_rays, std::uint64_t seed,
-                                                  const Job& job, const LayoutVisitor& visit = {});
+                                                  const Job& job, const LayoutVisitor& visit = {},
+                                                  std::shared_ptr<const daylight::Environment>
+                                                      environment = nullptr);
 
 }  // namespace soffit::design

@@ -2,6 +2,8 @@
 #include "core/design/surface_reading.h"
 
 #include "core/relight/bodies.h"
+#include "core/relight/direct_light.h"
+#include "core/relight/outdoors.h"
 
 #include <array>
 
@@ -60,11 +62,23 @@ std::vector<relight::SensorLight> readSurfaces(const relight::Lighting& lighting
   for (std::size_t i = 0; i < emitters.size(); ++i) {
     if (emitters[i].gain <= 0.0) continue;
     const auto bodies = bodiesAgainst(emitters, i);
-    light::directIlluminance(light::PreparedLight(emitters[i]), points, scene.blockers,
-                             {.epsilon = scene.epsilon, .bodies = bodies}, lux, lit);
+    relight::directLight(scene, light::PreparedLight(emitters[i]), points, bodies, lux, lit);
     const dvec3 weight = emitters[i].gain * emitters[i].color;
     for (std::size_t k = 0; k < out.size(); ++k) {
       out[k].direct += weight * static_cast<double>(lux[points.slot_of[k]]);
+    }
+  }
+  if (const auto* environment = lighting.environment()) {
+    const relight::Planes& sky = lighting.skyDirect();
+    const auto direct = interpolateAt(lighting.solver().operators().texels, sky, receivers);
+    for (std::size_t k = 0; k < out.size(); ++k) out[k].direct += direct[k];
+    const auto bodies = lighting.allBodies();
+    for (const daylight::Spot& spot : environment->spots()) {
+      const light::Emitter disc = relight::farDisc(spot, scene.mesh->bounds());
+      relight::directLight(scene, light::PreparedLight(disc), points, bodies, lux, lit);
+      for (std::size_t k = 0; k < out.size(); ++k) {
+        out[k].direct += static_cast<double>(lux[points.slot_of[k]]) * spot.normal_illuminance;
+      }
     }
   }
   const std::vector<dvec3> indirect =

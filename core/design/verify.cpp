@@ -154,7 +154,7 @@ class Alone {
     for (std::size_t i = 0; i < luminaires.size(); ++i) {
       if ((i == index_) != own) luminaires[i].on = false;
     }
-    return points_.evaluate(luminaires, left, job);
+    return points_.evaluate(luminaires, left, job, !own);
   }
 
   VerifyPoints& points_;
@@ -231,7 +231,7 @@ Result<VerifyReport> verify(std::shared_ptr<const relight::Solver> solver,
     const auto done = reportAlone(points, scene, places, *index, options.path, job, report);
     if (!done) return done.error();
   } else {
-    const auto samples = points.evaluate(scene.luminaires, 1, job);
+    const auto samples = points.evaluate(scene.luminaires, 1, job, true);
     if (!samples) return samples.error();
     report.total = errorsOf(std::span(&*samples, 1), places);
     report.points = pointsOf(points, *samples, places, scene.mesh->origin);

@@ -124,12 +124,12 @@ void VerifyPoints::setGroups(std::vector<std::size_t> of_surfaces,
   sensor_groups_.resize(sensors_.size(), 0);
 }
 
-Result<void> VerifyPoints::addReference(std::span<const light::Luminaire> luminaires,
+Result<void> VerifyPoints::addReference(std::span<const light::Luminaire> luminaires, bool outside,
                                         double seconds, const Job& job, PointSamples& out) {
   // The caster lives in the engine's static scene: share its ownership.
   const auto scene = reference::ReferenceScene::make(
       scene_, luminaires,
-      std::shared_ptr<const geometry::RayCaster>(solver_, &solver_->scene().caster));
+      std::shared_ptr<const geometry::RayCaster>(solver_, &solver_->scene().caster), outside);
   if (!scene) return scene.error();
   std::vector<scene::Sensor> on_surfaces;
   for (const SurfaceReceiver& r : surfaces_) {
@@ -166,16 +166,22 @@ Result<void> VerifyPoints::addReference(std::span<const light::Luminaire> lumina
 }
 
 Result<PointSamples> VerifyPoints::evaluate(std::span<const light::Luminaire> luminaires,
-                                            std::size_t evaluations_left, const Job& job) {
+                                            std::size_t evaluations_left, const Job& job,
+                                            bool outside) {
   relight::Lighting lighting(solver_);
   const auto set = lighting.setLuminaires(luminaires, job);
   if (!set) return set.error();
+  if (outside && scene_.environment) {
+    const auto shone =
+        lighting.setEnvironment(std::make_shared<daylight::Environment>(*scene_.environment), job);
+    if (!shone) return shone.error();
+  }
   PointSamples out;
   out.surfaces = samplesOf(readSurfaces(lighting, surfaces_));
   if (prepared_) out.sensors = samplesOf(lighting.read(*prepared_));
   const double left = std::max(0.0, effort_.time_limit_s - seconds_spent_);
   const auto added =
-      addReference(luminaires, left / static_cast<double>(evaluations_left), job, out);
+      addReference(luminaires, outside, left / static_cast<double>(evaluations_left), job, out);
   if (!added) return added.error();
   return out;
 }

@@ -72,16 +72,17 @@ class VerifyPoints {
   /// Both solutions of these luminaires: those that are off or at dimming 0 shed no light but
   /// keep their bodies. Errors: makeEmitter's; cancelled.
   /// evaluations_left: how many such calls share what is left of the time, this one included.
+  /// outside: the scene's environment shines too.
   Result<PointSamples> evaluate(std::span<const light::Luminaire> luminaires,
-                                std::size_t evaluations_left, const Job& job);
+                                std::size_t evaluations_left, const Job& job, bool outside = false);
 
   /// Whether every reference so far met the wanted error, and what they took.
   [[nodiscard]] bool reached() const { return reached_; }
   [[nodiscard]] std::uint64_t rays() const { return rays_; }
 
  private:
-  Result<void> addReference(std::span<const light::Luminaire> luminaires, double seconds,
-                            const Job& job, PointSamples& out);
+  Result<void> addReference(std::span<const light::Luminaire> luminaires, bool outside,
+                            double seconds, const Job& job, PointSamples& out);
 
   std::shared_ptr<const relight::Solver> solver_;
   const scene::Scene& scene_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/light/shaft.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -10,8 +11,11 @@ Shaft::Shaft(const Box& from, const Box& to) : from_(from), to_(to) {
   Box hull = from;
   hull.add(to);
   const float reach = std::max(glm::length(hull.lo), glm::length(hull.hi));
-  // Rounding of the corner coordinates themselves.
-  tolerance_ = 4e-7F * (reach + hull.diagonal());
+  // Rounding of the corner coordinates themselves. Planes start at `from`, so that what is near it
+  // has its rounding alone, however far the other box is: with the sun's, 2 cm of a wall would not
+  // count.
+  const float near = std::max(glm::length(from.lo), glm::length(from.hi));
+  tolerance_ = 4e-7F * std::min(reach + hull.diagonal(), 16.0F + 4.0F * near);
   for (int axis = 0; axis < 3; ++axis) {
     vec3 n(0.0F);
     n[axis] = 1.0F;

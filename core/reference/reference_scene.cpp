@@ -5,7 +5,8 @@ namespace soffit::reference {
 
 Result<ReferenceScene> ReferenceScene::make(const scene::Scene& scene,
                                             std::span<const light::Luminaire> luminaires,
-                                            std::shared_ptr<const geometry::RayCaster> caster) {
+                                            std::shared_ptr<const geometry::RayCaster> caster,
+                                            bool outside) {
   auto state = std::make_shared<State>();
   state->mesh = scene.mesh != nullptr ? scene.mesh : std::make_shared<const geometry::Mesh>();
   state->materials = scene.materials;
@@ -21,9 +22,18 @@ Result<ReferenceScene> ReferenceScene::make(const scene::Scene& scene,
     }
     state->lights.emplace_back(emitter);
   }
+  state->panes = daylight::Panes::make(*state->mesh, state->materials);
   state->caster = caster != nullptr ? std::move(caster)
                                     : std::make_shared<const geometry::RayCaster>(
-                                          state->mesh->positions, state->mesh->triangles);
+                                          daylight::opaqueCaster(*state->mesh, state->panes.get()));
+  if (outside && scene.environment) {
+    state->environment.emplace(*scene.environment);
+    if (state->environment->dark()) {
+      state->environment.reset();
+    } else {
+      state->sky.emplace(*state->environment, state->panes.get(), *state->mesh);
+    }
+  }
   ReferenceScene out;
   out.state_ = std::move(state);
   return out;

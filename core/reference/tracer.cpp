@@ -19,8 +19,8 @@ constexpr std::uint32_t kStratifiedDepth = 1;
 constexpr std::uint32_t kFullReflections = 2;
 constexpr double kSurvivalLimit = 0.97;
 
-/// Random numbers of one vertex come in two sets of three.
-enum Group : std::uint32_t { kDirection = 0, kLight = 1, kGroupsPerVertex = 2 };
+/// Random numbers of one vertex come in sets of three.
+enum Group : std::uint32_t { kDirection = 0, kLight = 1, kSky = 2, kSun = 3, kGroupsPerVertex = 4 };
 
 geometry::Ray toRay(const dvec3& origin, const dvec3& direction) {
   geometry::Ray ray;
@@ -65,8 +65,9 @@ Tally Tracer::run(std::uint32_t paths, std::uint64_t seed) {
   ray_count_ = 0;
   depth_ = 0;
   start(paths);
-  while (!paths_.empty() || !shadows_.empty()) {
+  while (!paths_.empty() || !shadows_.empty() || !sky_shadows_.empty()) {
     traceShadows();
+    if (scene_.sky() != nullptr) traceSkyShadows();
     traceRays();
     paths_.swap(next_);
     ++depth_;
@@ -77,6 +78,7 @@ Tally Tracer::run(std::uint32_t paths, std::uint64_t seed) {
 void Tracer::start(std::uint32_t paths) {
   paths_.clear();
   shadows_.clear();
+  sky_shadows_.clear();
   for (std::uint32_t i = 0; i < paths; ++i) {
     const dvec3 u = draw(i, 0, kDirection);
     const dvec3 w = response_.sample({u.x, u.y});
@@ -86,6 +88,9 @@ void Tracer::start(std::uint32_t paths) {
           {i, origin_, response_.horizon(), w, dvec3(response_.weight(w) / density), density});
     }
     sendShadow(origin_, sensor_choice_, draw(i, 0, kLight), nullptr, dvec3(0.0), dvec3(1.0));
+    if (scene_.sky() != nullptr) {
+      sendSky(origin_, draw(i, 0, kSky), draw(i, 0, kSun), nullptr, dvec3(0.0), dvec3(1.0));
+    }
   }
 }
 
@@ -145,26 +150,44 @@ void Tracer::traceShadows() {
   blocked_.resize(rays_.size());
   scene_.caster().occluded(rays_, blocked_);
   ray_count_ += rays_.size();
+  share_.assign(rays_.size(), 1.0F);
+  if (scene_.panes() != nullptr) {
+    for (std::size_t i = 0; i < rays_.size(); ++i) share_[i] = blocked_[i] == 0 ? 1.0F : 0.0F;
+    scene_.panes()->attenuate(rays_, share_);
+  }
   for (std::size_t i = 0; i < shadows_.size(); ++i) {
-    if (blocked_[i] == 0 && !bodyBetween(shadows_[i])) bin() += shadows_[i].light_sent;
+    if (blocked_[i] == 0 && !bodyBetween(shadows_[i])) {
+      bin() += double(share_[i]) * shadows_[i].light_sent;
+    }
   }
   shadows_.clear();
 }
 
 void Tracer::traceRays() {
-  rays_.clear();
   next_.clear();
-  for (const Path& path : paths_) rays_.push_back(toRay(path.origin, path.direction));
-  hits_.resize(rays_.size());
-  scene_.caster().closest(rays_, hits_);
-  ray_count_ += rays_.size();
-  for (std::size_t i = 0; i < paths_.size(); ++i) {
-    const Path& path = paths_[i];
-    const double t_surface = hits_[i].valid() ? hits_[i].t : kInfinity;
-    const NearestBodies bodies = nearestBodies(path, t_surface);
-    gatherEmission(path, t_surface, bodies);
-    if (bodies.t < kInfinity || !hits_[i].valid()) continue;  // bodies are black
-    reflect(path, hits_[i]);
+  while (!paths_.empty()) {
+    rays_.clear();
+    mirrored_.clear();
+    for (const Path& path : paths_) rays_.push_back(toRay(path.origin, path.direction));
+    hits_.resize(rays_.size());
+    scene_.caster().closest(rays_, hits_);
+    ray_count_ += rays_.size();
+    for (std::size_t i = 0; i < paths_.size(); ++i) follow(paths_[i], hits_[i]);
+    paths_.swap(mirrored_);
+  }
+}
+
+void Tracer::follow(const Path& path, const geometry::Hit& hit) {
+  const double t_surface = hit.valid() ? hit.t : kInfinity;
+  const NearestBodies bodies = nearestBodies(path, t_surface);
+  panes_.clear();
+  if (scene_.panes() != nullptr) crossPanes(path, std::min(t_surface, bodies.t));
+  gatherEmission(path, t_surface, bodies);
+  if (bodies.t < kInfinity) return;  // bodies are black
+  if (hit.valid()) {
+    reflect(path, hit);
+  } else if (scene_.sky() != nullptr) {
+    gatherSky(path);
   }
 }
 
@@ -209,8 +232,9 @@ void Tracer::gatherCrossing(const Path& path, std::size_t light, const Crossing&
   const dvec3 sent = emission(shape.emitter(), c.normal, -path.direction);
   if (sent == dvec3(0.0)) return;
   const double cosine = std::abs(glm::dot(c.normal, path.direction));
+  const dvec3 beta = path.beta * throughPanes(c.t);
   if (!(path.density > 0.0)) {
-    bin() += path.beta * sent / cosine;
+    binOf(path) += beta * sent / cosine;
     return;
   }
   double probability = 0.0;
@@ -224,7 +248,7 @@ void Tracer::gatherCrossing(const Path& path, std::size_t light, const Crossing&
   const double chosen = probability * lightDensity(shape, path.origin, point, c.normal);
   const double distance_squared = c.t * c.t;
   const double followed = path.density * cosine / distance_squared;
-  bin() += path.beta * sent * (path.density / (distance_squared * (followed + chosen)));
+  binOf(path) += beta * sent * (path.density / (distance_squared * (followed + chosen)));
 }
 
 void Tracer::reflect(const Path& path, const geometry::Hit& hit) {
@@ -237,7 +261,12 @@ void Tracer::reflect(const Path& path, const geometry::Hit& hit) {
   if (!(brightest > 0.0)) return;
   const dvec3 y(geometry::offsetOrigin(vec3(surface.position), vec3(bsdf.normal)));
   choice_.prepare(scene_.lights(), y, bsdf.normal);
-  sendShadow(y, choice_, draw(path.index, vertex, kLight), &bsdf, wo, path.beta);
+  const dvec3 beta = path.beta * throughPanes(hit.t);
+  sendShadow(y, choice_, draw(path.index, vertex, kLight), &bsdf, wo, beta);
+  if (scene_.sky() != nullptr) {
+    const dvec3 u_sky = draw(path.index, vertex, kSky);
+    sendSky(y, u_sky, draw(path.index, vertex, kSun), &bsdf, wo, beta);
+  }
 
   double survival = 1.0;
   if (vertex > kFullReflections) {
@@ -246,8 +275,8 @@ void Tracer::reflect(const Path& path, const geometry::Hit& hit) {
   }
   const BsdfSample next = sample(bsdf, wo, draw(path.index, vertex, kDirection));
   if (next.weight == dvec3(0.0)) return;
-  next_.push_back({path.index, y, bsdf.normal, next.direction, path.beta * next.weight / survival,
-                   next.density});
+  next_.push_back(
+      {path.index, y, bsdf.normal, next.direction, beta * next.weight / survival, next.density});
 }
 
 }  // namespace soffit::reference

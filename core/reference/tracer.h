@@ -27,7 +27,11 @@ struct Tally {
 /// surface that is met with density p_a by choosing points and p_b by following the surface's (or
 /// the sensor's) own directions contributes f I cos / (d^2 (p_a + p_b)) either way, so that
 /// neither a near emitter nor a sharp reflection gives rare bright samples. Mirrors follow the ray
-/// alone. Russian roulette by the albedo from the third bounce on; no bound on the bounces.
+/// alone. The surroundings and the sun's disc get a sample each at every vertex, weighted against
+/// the rays that escape in the same way, per steradian. Sheets of glass dim what passes them; what
+/// they mirror goes on as a ray of its own with the probability of their reflectance, weighted by
+/// nothing else: the sun's disc is left out there (glints), and so are point sources. Russian
+/// roulette by the albedo from the third bounce on; no bound on the bounces.
 class Tracer {
  public:
   /// origin: where rays start (placeSensors()). The scene must outlive the tracer.
@@ -45,12 +49,19 @@ class Tracer {
     dvec3 direction;  ///< of the next ray, unit
     dvec3 beta;       ///< what radiance along the ray is multiplied by
     double density;   ///< of the direction, per steradian; 0: mirror
+    int sheets = 0;   ///< of glass that have mirrored it since the last vertex
   };
   struct Shadow {
     dvec3 origin;
     dvec3 point;
     dvec3 normal;
     std::uint32_t light;
+    dvec3 light_sent;  ///< what arrives if nothing is in the way
+  };
+
+  struct SkyShadow {
+    dvec3 origin;
+    dvec3 direction;
     dvec3 light_sent;  ///< what arrives if nothing is in the way
   };
 
@@ -63,16 +74,27 @@ class Tracer {
 
   void start(std::uint32_t paths);
   void traceShadows();
+  void traceSkyShadows();
   void traceRays();
+  void follow(const Path& path, const geometry::Hit& hit);
+  /// The sheets on a path before t_end; spawns what they mirror.
+  void crossPanes(const Path& path, double t_end);
+  /// Share of light that comes through the sheets nearer than t.
+  [[nodiscard]] double throughPanes(double t) const;
   [[nodiscard]] NearestBodies nearestBodies(const Path& path, double t_surface) const;
   void gatherEmission(const Path& path, double t_surface, const NearestBodies& bodies);
   void gatherCrossing(const Path& path, std::size_t light, const Crossing& crossing);
+  void gatherSky(const Path& path);
   void reflect(const Path& path, const geometry::Hit& hit);
+  void sendSky(const dvec3& y, const dvec3& u_sky, const dvec3& u_sun, const Bsdf* bsdf,
+               const dvec3& wo, const dvec3& beta);
   void sendShadow(const dvec3& y, const LightChoice& choice, const dvec3& u, const Bsdf* bsdf,
                   const dvec3& wo, const dvec3& beta);
   [[nodiscard]] bool bodyBetween(const Shadow& shadow) const;
   [[nodiscard]] dvec3 draw(std::uint32_t path, std::uint32_t vertex, std::uint32_t group);
   [[nodiscard]] dvec3& bin() { return depth_ == 0 ? direct_ : indirect_; }
+  /// For what a ray meets: light mirrored by glass is indirect.
+  [[nodiscard]] dvec3& binOf(const Path& path) { return path.sheets > 0 ? indirect_ : bin(); }
 
   const ReferenceScene& scene_;
   dvec3 origin_;
@@ -81,7 +103,11 @@ class Tracer {
   LightChoice choice_;
   std::vector<Path> paths_;
   std::vector<Path> next_;
+  std::vector<Path> mirrored_;
   std::vector<Shadow> shadows_;
+  std::vector<SkyShadow> sky_shadows_;
+  std::vector<daylight::PaneCrossing> panes_;  ///< on the path at hand
+  std::vector<float> share_;
   std::vector<geometry::Ray> rays_;
   std::vector<geometry::Hit> hits_;
   std::vector<std::uint8_t> blocked_;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/relight/engine.h"
 
+#include "core/relight/sky_cache.h"
 #include "core/transfer/bake_cache.h"
+#include "core/transfer/cache_key.h"
 
 #include <fmt/format.h>
 
@@ -87,7 +89,8 @@ std::shared_ptr<const transfer::StaticScene> makeStaticScene(const scene::Scene&
   for (const scene::WorkPlane& plane : scene.work_planes) {
     inside.emplace_back(plane.origin + 0.5 * (plane.u + plane.v) - origin);
   }
-  return transfer::makeStaticScene(scene.mesh, inside);
+  return transfer::makeStaticScene(scene.mesh, inside,
+                                   daylight::Panes::make(*scene.mesh, scene.materials));
 }
 
 Result<std::shared_ptr<const Solver>> makeSolver(const scene::Scene& scene, const QualitySettings& quality,
@@ -99,7 +102,12 @@ Result<std::shared_ptr<const Solver>> makeSolver(const scene::Scene& scene, cons
                                         report.cached, report.messages);
   if (!operators) return operators.error();
   report.bytes = (*operators)->bytes();
-  return std::shared_ptr<const Solver>(std::make_shared<Solver>(static_scene, *operators, scene.materials));
+  auto solver = std::make_shared<Solver>(static_scene, *operators, scene.materials);
+  // The name is only asked for where there may be a sky: the key reads all of the mesh.
+  if (use_cache && scene.environment && !scene.mesh->triangles.empty()) {
+    solver->keepSky(skyPath(transfer::cacheKey(*static_scene, quality.bake)));
+  }
+  return std::shared_ptr<const Solver>(std::move(solver));
 }
 
 }  // namespace soffit::relight

@@ -84,7 +84,7 @@ Planes GroupSums::total(const Lighting& lighting, const std::vector<std::string>
     return now == members.end() || now->second != sum.members ||
            std::ranges::any_of(sum.members, [&](std::size_t i) { return changed[i]; });
   });
-  std::vector<WeightedColumn> single;
+  std::vector<WeightedColumn> single = lighting.outdoorLights();
   const auto mixMembers = [&](const std::vector<std::size_t>& list) {
     for (const std::size_t i : list) {
       if (lighting.weight(i) == dvec3(0.0)) continue;

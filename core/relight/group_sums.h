@@ -17,7 +17,7 @@ namespace soffit::relight {
 /// a second time. Few members are never summed: they are as quick.
 class GroupSums {
  public:
-  /// Lux of all luminaires; names of their groups in the order of `lighting`'s emitters.
+  /// Lux of all luminaires and of what shines in; names of their groups in the order of `lighting`'s emitters.
   /// changed: luminaires whose light itself is another since the last call (moved, reshaped).
   Planes total(const Lighting& lighting, const std::vector<std::string>& groups,
                const std::vector<bool>& changed);

@@ -94,6 +94,9 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
   }
   emitters_ = std::move(emitters);
   entries_ = std::move(entries);
+  if (!keep) {
+    if (auto done = computeOutdoors(job); !done) return done;
+  }
   grabbed_ = static_cast<std::size_t>(-1);
   for (std::size_t i = 0; i < emitters_.size(); ++i) {
     if (job.cancelled()) return Error{"light", "cancelled", ""};
@@ -115,6 +118,7 @@ Result<void> Lighting::repaint(std::shared_ptr<const Solver> solver, const Job& 
     solver_->indirect(entries_[i].column, open);
     entries_[i].ready = true;
   }
+  for (Column& column : outdoors_.columns) solver_->indirect(column, open);
   return {};
 }
 
@@ -149,6 +153,13 @@ std::optional<Planes> Lighting::totalUnder(const Solver& painted) const {
     painted.indirect(column, open);
     together.push_back({&column, color});
   }
+  std::vector<Column> outside(outdoors_.columns.size());
+  for (std::size_t i = 0; i < outside.size(); ++i) {
+    outside[i].direct = outdoors_.columns[i].direct;
+    outside[i].lit = outdoors_.columns[i].lit;
+    painted.indirect(outside[i], open);
+    together.push_back({&outside[i], outdoors_.weight(i)});
+  }
   Planes total;
   spread({}, together, painted.operators(), total);
   return total;
@@ -165,6 +176,8 @@ std::vector<WeightedColumn> Lighting::lights(std::optional<std::size_t> but) con
   for (std::size_t i = 0; i < emitters_.size(); ++i) {
     if (i != but && emitters_[i].gain > 0.0) on.push_back({&entries_[i].column, weight(i)});
   }
+  const std::vector<WeightedColumn> outside = outdoorLights();
+  on.insert(on.end(), outside.begin(), outside.end());
   return on;
 }
 
@@ -223,6 +236,19 @@ std::vector<SensorLight> Lighting::read(const Sensors& sensors,
     solver_->indirect(again, open, &one);
     const vec4 w4(vec3(w), 0.0F);
     for (std::size_t s = 0; s < one.size(); ++s) source[s] += w4 * one[s];
+  }
+  if (environment_ != nullptr && !only) {
+    const std::vector<dvec3> direct = sensors.outdoors(*solver_, *environment_, allBodies());
+    for (std::size_t k = 0; k < out.size(); ++k) out[k].direct += direct[k];
+    for (std::size_t c = 0; c < outdoors_.columns.size(); ++c) {
+      std::vector<vec4> one;
+      Column again;
+      again.direct = outdoors_.columns[c].direct;
+      again.lit = outdoors_.columns[c].lit;
+      solver_->indirect(again, open, &one);
+      const vec4 w4(vec3(outdoors_.weight(c)), 0.0F);
+      for (std::size_t s = 0; s < one.size(); ++s) source[s] += w4 * one[s];
+    }
   }
   const std::vector<dvec3> indirect = sensors.indirect(source);
   for (std::size_t k = 0; k < out.size(); ++k) out[k].indirect = indirect[k];

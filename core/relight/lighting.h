@@ -2,8 +2,10 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/daylight/environment.h"
 #include "core/light/emitter.h"
 #include "core/relight/light_sum.h"
+#include "core/relight/outdoors.h"
 #include "core/relight/sensors.h"
 #include "core/relight/solver.h"
 
@@ -29,6 +31,19 @@ class Lighting {
   /// Errors: makeEmitter's, with the luminaire's name as the place.
   Result<void> setLuminaires(std::span<const light::Luminaire> luminaires, const Job& job = {});
 
+  /// What shines in from outside from now on, null: nothing. Its light is computed here, luminaires
+  /// stay as they are; another sky over the same building takes no rays but the sun's. The body of a
+  /// luminaire shades the sun, and not the sky; while one is in hand, the sun's shadow of its body
+  /// stays where it was.
+  /// Errors: cancelled; nothing shines in then.
+  Result<void> setEnvironment(std::shared_ptr<const daylight::Environment> environment,
+                              const Job& job = {});
+  [[nodiscard]] const daylight::Environment* environment() const { return environment_.get(); }
+  /// Direct light of the sky at the texels, RGB lux, the sun left out; empty without surroundings.
+  [[nodiscard]] const Planes& skyDirect() const { return outdoors_.sky; }
+  /// The bodies of all luminaires.
+  [[nodiscard]] std::vector<light::MaskBlocker> allBodies() const;
+
   /// The same luminaires under a solver of other reflectances (Solver::repainted()): direct light
   /// stays, its reflections are computed anew. A luminaire in hand is let go.
   /// Errors: cancelled; what was not reached is computed by the next setLuminaires(), and direct
@@ -44,6 +59,9 @@ class Lighting {
   [[nodiscard]] const Column& column(std::size_t i) const { return entries_[i].column; }
   /// Its gain times its colour: 0 when it is off.
   [[nodiscard]] dvec3 weight(std::size_t i) const { return emitters_[i].gain * emitters_[i].color; }
+
+  /// What shines in from outside.
+  [[nodiscard]] std::vector<WeightedColumn> outdoorLights() const;
 
   /// New gain and colour of luminaire i: no light is computed.
   void setMix(std::size_t i, double gain, const dvec3& color);
@@ -61,7 +79,7 @@ class Lighting {
   /// The indirect part of it alone (for pictures, which compute direct light per pixel).
   [[nodiscard]] Planes indirectTotal() const;
 
-  /// Readings of all luminaires, or of one.
+  /// Readings of all luminaires and the surroundings, or of one luminaire.
   [[nodiscard]] std::vector<SensorLight> read(const Sensors& sensors,
                                               std::optional<std::size_t> only = {}) const;
 
@@ -75,16 +93,19 @@ class Lighting {
     bool ready = false;   ///< all of the column is
   };
   void compute(std::size_t i);
+  Result<void> computeOutdoors(const Job& job);
   /// The entry whose column is the light of this emitter, entries_.size() for none.
   [[nodiscard]] std::size_t columnFor(const light::Emitter& emitter, std::size_t at) const;
   [[nodiscard]] std::vector<light::MaskBlocker> otherBodies(std::size_t i) const;
   [[nodiscard]] std::vector<float> openShare() const;
-  /// All that are on, but one.
+  /// All that are on, but one, and what shines in.
   [[nodiscard]] std::vector<WeightedColumn> lights(std::optional<std::size_t> but = {}) const;
 
   std::shared_ptr<const Solver> solver_;
   std::vector<light::Emitter> emitters_;
   std::vector<Entry> entries_;
+  std::shared_ptr<const daylight::Environment> environment_;
+  Outdoors outdoors_;
   std::size_t grabbed_ = static_cast<std::size_t>(-1);
   LightSum rest_;
   Planes moved_;

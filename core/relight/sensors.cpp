@@ -3,6 +3,8 @@
 
 #include "core/base/parallel.h"
 #include "core/math/sampling.h"
+#include "core/relight/direct_light.h"
+#include "core/relight/outdoors.h"
 #include "core/transfer/hemisphere.h"
 #include "core/transfer/kernels.h"
 
@@ -98,14 +100,42 @@ std::vector<double> Sensors::direct(const Solver& solver, const light::Emitter& 
                                     std::span<const light::MaskBlocker> bodies) const {
   std::vector<float> lux(receivers_.slotCount());
   std::vector<std::uint8_t> lit(receivers_.clusters.size());
-  light::directIlluminance(light::PreparedLight(emitter), receivers_, solver.scene().blockers,
-                           {.epsilon = solver.scene().epsilon, .bodies = bodies}, lux, lit);
+  directLight(solver.scene(), light::PreparedLight(emitter), receivers_, bodies, lux, lit);
   std::vector<double> out(count_, 0.0);
   for (std::size_t i = 0; i < count_; ++i) {
     for (std::size_t k = 0; k < orientations_; ++k) {
       out[i] += static_cast<double>(lux[receivers_.slot_of[i * orientations_ + k]]);
     }
     out[i] /= static_cast<double>(orientations_);
+  }
+  return out;
+}
+
+std::vector<dvec3> Sensors::outdoors(const Solver& solver, const daylight::Environment& environment,
+                                     std::span<const light::MaskBlocker> bodies) const {
+  std::vector<dvec3> out(count_, dvec3(0.0));
+  if (count_ == 0) return out;
+  std::call_once(sky_->once, [&] {
+    std::vector<vec3> positions;
+    std::vector<vec3> normals;
+    // Off the surface that a sensor may lie in, on the side that it looks to.
+    for (std::size_t k = 0; k < count_ * orientations_; ++k) {
+      const std::uint32_t slot = receivers_.slot_of[k];
+      normals.push_back(receivers_.normal(slot));
+      positions.push_back(receivers_.position(slot) + solver.scene().epsilon * normals.back());
+    }
+    const daylight::LookOptions fine{.coarse = 64, .levels = 3};
+    sky_->open = daylight::OpenSky(positions, normals, solver.scene().caster,
+                                   solver.scene().panes.get(),
+                                   orientations_ == 1 ? fine : daylight::LookOptions{});
+  });
+  const std::vector<vec3> sky = sky_->open.illuminance(environment);
+  for (std::size_t k = 0; k < sky.size(); ++k) {
+    out[k / orientations_] += dvec3(sky[k]) / static_cast<double>(orientations_);
+  }
+  for (const daylight::Spot& spot : environment.spots()) {
+    const auto lux = direct(solver, farDisc(spot, solver.scene().mesh->bounds()), bodies);
+    for (std::size_t i = 0; i < count_; ++i) out[i] += lux[i] * spot.normal_illuminance;
   }
   return out;
 }

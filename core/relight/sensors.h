@@ -4,6 +4,8 @@
 #include "core/relight/solver.h"
 #include "core/scene/scene.h"
 
+#include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -35,10 +37,23 @@ class Sensors {
   [[nodiscard]] std::vector<double> direct(const Solver& solver, const light::Emitter& emitter,
                                            std::span<const light::MaskBlocker> bodies) const;
 
+  /// Direct light of the surroundings, the sun included, RGB lux per sensor; bodies as above. What
+  /// the sensors see of the sky is looked at once: planar ones on 512 x 512 cells where an opening's
+  /// edge is (OpenSky), others on 128 x 128 per orientation.
+  [[nodiscard]] std::vector<dvec3> outdoors(const Solver& solver,
+                                            const daylight::Environment& environment,
+                                            std::span<const light::MaskBlocker> bodies) const;
+
   /// Indirect light from a radiosity per slot (Solver::indirect), RGB lux per sensor.
   [[nodiscard]] std::vector<dvec3> indirect(std::span<const vec4> source) const;
 
  private:
+  /// Shared by copies.
+  struct Sky {
+    std::once_flag once;
+    daylight::OpenSky open;
+  };
+  std::shared_ptr<Sky> sky_ = std::make_shared<Sky>();
   std::size_t count_ = 0;
   std::size_t orientations_ = 1;  ///< planar readings per sensor
   light::Receivers receivers_;

@@ -2,6 +2,7 @@
 #include "core/relight/solver.h"
 
 #include "core/base/parallel.h"
+#include "core/relight/direct_light.h"
 #include "core/relight/light_sum.h"
 
 #include <algorithm>
@@ -67,8 +68,7 @@ void Solver::direct(const light::Emitter& emitter, std::span<const light::MaskBl
   column.lit.resize(receivers.clusters.size());
   std::vector<float> lux(shadow_groups_.points.slotCount());
   std::vector<std::uint8_t> lit(shadow_groups_.points.clusters.size());
-  light::directIlluminance(light::PreparedLight(emitter), shadow_groups_.points, scene_->blockers,
-                           {.epsilon = scene_->epsilon, .bodies = bodies}, lux, lit, counts);
+  directLight(*scene_, light::PreparedLight(emitter), shadow_groups_.points, bodies, lux, lit, counts);
   parallelFor(receivers.clusters.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       float most = 0.0F;

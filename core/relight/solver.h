@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/progress.h"
+#include "core/daylight/open_sky.h"
 #include "core/light/direct_stage.h"
 #include "core/relight/column.h"
 #include "core/relight/reflectance.h"
@@ -15,7 +17,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -73,7 +77,19 @@ class Solver {
   void indirect(Column& column, std::span<const float> open, std::vector<vec4>* source = nullptr,
                 StageTimes* times = nullptr) const;
 
+  /// What each slot sees of the surroundings: looked at once per geometry, when somebody asks, and
+  /// shared by solvers of other reflectances. Null when cancelled.
+  [[nodiscard]] std::shared_ptr<const daylight::OpenSky> openSky(const Job& job = {}) const;
+  /// Keeps it in a file between calls (sky_cache.h).
+  void keepSky(std::filesystem::path store) { sky_->store = std::move(store); }
+
  private:
+  /// Shared by copies.
+  struct Sky {
+    std::mutex mutex;
+    std::filesystem::path store;  ///< where it is kept between calls; empty: nowhere
+    std::shared_ptr<const daylight::OpenSky> open;
+  };
   void coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const;
   /// Skeleton and what the patches send after it.
   void firstBounce(Column& column, std::span<const float> open,
@@ -101,6 +117,7 @@ class Solver {
   transfer::PatchWeights patch_weights_;       ///< none before there are weights
   std::vector<std::uint32_t> first_patch_;     ///< per cluster, then the end
   std::vector<vec3> sends_moment_;             ///< per patch: sum sends phi of its functions
+  std::shared_ptr<Sky> sky_ = std::make_shared<Sky>();
 };
 
 }  // namespace soffit::relight

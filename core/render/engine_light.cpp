@@ -2,6 +2,8 @@
 #include "core/render/engine_light.h"
 
 #include "core/relight/bodies.h"
+#include "core/relight/direct_light.h"
+#include "core/relight/outdoors.h"
 
 #include <algorithm>
 
@@ -19,6 +21,20 @@ EngineLight::EngineLight(std::shared_ptr<const relight::Lighting> lighting)
       lamp.bodies.insert(lamp.bodies.end(), body.begin(), body.end());
     }
     lamps_.push_back(std::move(lamp));
+  }
+  if (lighting_->environment() == nullptr) return;
+  // The sky is as smooth as reflected light and shown from the texels with it; what shines from one
+  // point, the sun, is found for each point of the picture.
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t s = 0; s < indirect_[c].size(); ++s) {
+      indirect_[c][s] += lighting_->skyDirect()[c][s];
+    }
+  }
+  for (const daylight::Spot& spot : lighting_->environment()->spots()) {
+    const light::Emitter disc =
+        relight::farDisc(spot, lighting_->solver().scene().mesh->bounds());
+    lamps_.push_back(
+        {light::PreparedLight(disc), lighting_->allBodies(), vec3(spot.normal_illuminance)});
   }
 }
 
@@ -40,13 +56,13 @@ void EngineLight::evaluate(std::span<const SurfacePoint> points, std::span<vec3>
     std::vector<float> lux(receivers.slotCount());
     std::vector<std::uint8_t> lit(receivers.clusters.size());
     for (const Lamp& lamp : lamps_) {
-      light::directIlluminance(lamp.prepared, receivers, scene.blockers,
-                               {.epsilon = scene.epsilon, .bodies = lamp.bodies}, lux, lit);
+      relight::directLight(scene, lamp.prepared, receivers, lamp.bodies, lux, lit);
       if (std::none_of(lit.begin(), lit.end(), [](std::uint8_t l) { return l != 0; })) continue;
       for (std::size_t i = 0; i < points.size(); ++i)
         direct[i] += lux[receivers.slot_of[i]] * lamp.weight;
     }
   }
+  std::vector<std::size_t> outdoor;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfacePoint& p = points[i];
     std::array<std::uint32_t, transfer::Texels::kMostAround> slots{};
@@ -61,7 +77,20 @@ void EngineLight::evaluate(std::span<const SurfacePoint> points, std::span<vec3>
              vec3(indirect_[0][slots[at]], indirect_[1][slots[at]], indirect_[2][slots[at]]);
     }
     indirect[i] = sum;
+    if (count == 0 && lighting_->environment() != nullptr) outdoor.push_back(i);
   }
+  // Outside walls, which nothing but the void sees, have no texels: their sky is found here.
+  if (outdoor.empty()) return;
+  std::vector<vec3> at;
+  std::vector<vec3> facing;
+  for (const std::size_t i : outdoor) {
+    at.push_back(points[i].position);
+    facing.push_back(points[i].shading_normal);
+  }
+  const daylight::OpenSky sky(at, facing, scene.caster, scene.panes.get(),
+                              {.coarse = 16, .levels = 2});
+  const std::vector<vec3> e = sky.illuminance(*lighting_->environment());
+  for (std::size_t k = 0; k < outdoor.size(); ++k) indirect[outdoor[k]] += e[k];
 }
 
 }  // namespace soffit::render

@@ -2,6 +2,7 @@
 #include "core/render/first_hit.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace soffit::render {
 
@@ -19,6 +20,15 @@ void traceFirst(const ViewScene& scene, std::span<const geometry::Ray> rays,
     out[i].emitter = emitters.closest(reach);
     if (out[i].emitter.valid()) out[i].surface = {};
   }
+  if (scene.panes() == nullptr) return;
+  std::vector<geometry::Ray> ways(rays.begin(), rays.end());
+  std::vector<float> through(rays.size(), 1.0F);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    if (out[i].surface.valid()) ways[i].t_max = out[i].surface.t;
+    if (out[i].emitter.valid()) ways[i].t_max = out[i].emitter.t;
+  }
+  scene.panes()->attenuate(ways, through);
+  for (std::size_t i = 0; i < ways.size(); ++i) out[i].through = through[i];
 }
 
 }  // namespace soffit::render

@@ -13,6 +13,7 @@ namespace soffit::render {
 struct FirstHit {
   geometry::Hit surface;  ///< valid where a surface is first
   EmitterHit emitter;     ///< valid where a luminaire is first
+  float through = 1.0F;   ///< share of its light that comes through the glass before it
 };
 
 /// What traceFirst() may rely on.

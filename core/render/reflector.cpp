@@ -178,8 +178,15 @@ void Reflector::aimAtLuminaires(const Lobe& lobe, const Points& u_of, ReflectorS
 void Reflector::traceShadows(ReflectorScratch& s) const {
   s.blocked.resize(s.shadow_rays.size());
   scene_.caster().occluded(s.shadow_rays, s.blocked);
+  std::vector<float> through;
+  if (scene_.panes() != nullptr) {
+    for (const std::uint8_t blocked : s.blocked) through.push_back(blocked == 0 ? 1.0F : 0.0F);
+    scene_.panes()->attenuate(s.shadow_rays, through);
+  }
   for (std::size_t i = 0; i < s.shadows.size(); ++i) {
-    if (s.blocked[i] == 0) s.radiance[s.shadows[i].target] += s.shadows[i].radiance;
+    if (s.blocked[i] != 0) continue;
+    const float share = through.empty() ? 1.0F : through[i];
+    s.radiance[s.shadows[i].target] += share * s.shadows[i].radiance;
   }
 }
 
@@ -196,7 +203,11 @@ void Reflector::traceWave(ReflectorScratch& s, bool last) const {
     } else if (s.first[i].surface.valid()) {
       meetSurface(i, last, s);
     } else {
-      s.radiance[s.paths[i].target] += s.paths[i].throughput * options_.background;
+      // The sun in a rough lobe would be nothing but sparks: mirrors alone show it.
+      const bool mirror = s.paths[i].alpha < kMirrorAlpha;
+      s.radiance[s.paths[i].target] +=
+          s.first[i].through * s.paths[i].throughput *
+          scene_.outside(s.rays[i].direction, mirror).value_or(options_.background);
     }
   }
   lightArrivals(s);
@@ -216,25 +227,26 @@ void Reflector::meetEmitter(std::size_t i, ReflectorScratch& s) const {
     share = path.pdf / (path.pdf + static_cast<float>(pdf));
   }
   s.radiance[path.target] +=
-      share * path.throughput * scene_.emitted(hit.emitter, hit.normal, -s.rays[i].direction);
+      s.first[i].through * share * path.throughput * scene_.emitted(hit.emitter, hit.normal, -s.rays[i].direction);
 }
 
 void Reflector::meetSurface(std::size_t i, bool last, ReflectorScratch& s) const {
   const ReflectorScratch::Path& path = s.paths[i];
   const SurfaceSample at = sampleSurface(scene_, s.rays[i], s.first[i].surface,
                                          {.spread = path.spread, .footprint = path.footprint});
-  const vec3 factor = path.throughput * at.albedo / kPiF;
+  const vec3 arriving = s.first[i].through * path.throughput;
+  const vec3 factor = arriving * at.albedo / kPiF;
   if (color::luminance(factor) > 0.0F) {
     s.arrivals.push_back({cellOf(at, at.footprint), path.target, factor, at.point, at.surface});
   }
   const ViewMaterial& m = scene_.material(at.point.triangle);
   if (last || m.f0 <= 0.0F) return;
   const float fresnel = schlick(m.f0, glm::dot(at.point.shading_normal, at.to_eye));
-  if (color::luminance(path.throughput) * fresnel < kLeastThroughput) return;
+  if (color::luminance(arriving) * fresnel < kLeastThroughput) return;
   const float alpha = std::max(m.alpha, path.alpha);
   const std::uint64_t key = options_.seed ^ mixBits(cellOf(at, 1.0e-6F) + path.target);
   aimAtLuminaires(
-      {at, m.f0, alpha, 1.0F, path.throughput, path.target},
+      {at, m.f0, alpha, 1.0F, arriving, path.target},
       [&](std::size_t e) { return fraction(hashed(key + e + 1)); }, s);
   const Frame frame(at.point.shading_normal);
   const LobeSample lobe = sampleGgx(frame.toLocal(at.to_eye), m.f0, alpha, fraction(hashed(key)));
@@ -244,7 +256,7 @@ void Reflector::meetSurface(std::size_t i, bool last, ReflectorScratch& s) const
   ray.direction = aboveSurface(frame.toScene(lobe.wi), at.point.normal);
   s.next_rays.push_back(ray);
   s.next_paths.push_back({.target = path.target,
-                          .throughput = path.throughput * lobe.weight,
+                          .throughput = arriving * lobe.weight,
                           .pdf = lobe.pdf,
                           .alpha = alpha,
                           .spread = path.spread + kLobeSpread * alpha,

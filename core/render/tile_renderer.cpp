@@ -165,15 +165,17 @@ void TileRenderer::resolve(const PixelTask& task, std::size_t pixel, std::size_t
     if (s.first[i].emitter.valid()) {
       const EmitterHit& hit = s.first[i].emitter;
       lamps += 1.0F;
-      mean.add(hit.emits ? scene_.emitted(hit.emitter, hit.normal, -s.rays[i].direction)
+      mean.add(hit.emits ? s.first[i].through *
+                               scene_.emitted(hit.emitter, hit.normal, -s.rays[i].direction)
                          : vec3(0.0F));
     } else if (s.group_of[i] != kNoGroup) {
       const vec3& received = s.batch.total(s.groups[s.group_of[i]].light);
       surfaces += 1.0F;
       lux += color::luminance(received);
-      mean.add(s.samples[i].albedo * received / kPiF);
+      mean.add(s.first[i].through * s.samples[i].albedo * received / kPiF);
     } else {
-      mean.add(options_.background);
+      mean.add(s.first[i].through *
+               scene_.outside(s.rays[i].direction, true).value_or(options_.background));
     }
   }
   const std::size_t at = film.at(task.x, task.y);

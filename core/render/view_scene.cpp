@@ -43,8 +43,18 @@ ViewScene::ViewScene(std::shared_ptr<const scene::Scene> scene,
       emitters_(std::move(emitters)),
       emitter_hits_(emitters_) {
   for (const light::Emitter& e : emitters_) emitter_radiance_.emplace_back(e);
+  panes_ = daylight::Panes::make(mesh(), scene_->materials);
+  if (scene_->environment) environment_.emplace(*scene_->environment);
   makeMaterials();
   makeSurfaces();
+}
+
+std::optional<vec3> ViewScene::outside(const vec3& direction, bool sun) const {
+  if (!environment_) return std::nullopt;
+  const dvec3 d = glm::normalize(dvec3(direction));
+  const auto& disc = environment_->sun();
+  if (sun && disc && disc->covers(d)) return vec3(static_cast<float>(disc->radiance()));
+  return vec3(environment_->radiance(d));
 }
 
 void ViewScene::makeMaterials() {

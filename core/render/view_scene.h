@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/daylight/environment.h"
+#include "core/daylight/panes.h"
 #include "core/geometry/ray_caster.h"
 #include "core/light/emitter.h"
 #include "core/render/emitter_hits.h"
@@ -10,6 +12,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace soffit::render {
@@ -27,9 +30,8 @@ struct ViewMaterial {
 /// in the scene-local frame (world minus Mesh::origin).
 class ViewScene {
  public:
-  /// caster    over scene->mesh's positions and triangles.
+  /// caster    over scene->mesh without its glass (daylight::opaqueCaster()).
   /// emitters  made with origin = scene->mesh->origin; those of the layout that is shown.
-  /// Glass blocks light and reflects nothing (interfaces.md, Materials) and shows black.
   ViewScene(std::shared_ptr<const scene::Scene> scene,
             std::shared_ptr<const geometry::RayCaster> caster,
             std::vector<light::Emitter> emitters);
@@ -46,6 +48,11 @@ class ViewScene {
     const auto i = static_cast<std::size_t>(emitter);
     return emitter_radiance_[i].toward(emitters_[i], normal, to_eye);
   }
+
+  /// The scene's glass; null without.
+  [[nodiscard]] const daylight::Panes* panes() const { return panes_.get(); }
+  /// What a ray sees that leaves the scene, cd/m^2; nothing without surroundings. sun: with its disc.
+  [[nodiscard]] std::optional<vec3> outside(const vec3& direction, bool sun) const;
 
   [[nodiscard]] const ViewMaterial& material(std::uint32_t triangle) const {
     return materials_[materialIndex(triangle)];
@@ -68,6 +75,8 @@ class ViewScene {
   std::shared_ptr<const geometry::RayCaster> caster_;
   std::vector<light::Emitter> emitters_;
   EmitterHits emitter_hits_;
+  std::shared_ptr<const daylight::Panes> panes_;
+  std::optional<daylight::Environment> environment_;
   std::vector<EmitterRadiance> emitter_radiance_;
   std::vector<ViewMaterial> materials_;
   std::vector<vec3> normals_;

@@ -38,6 +38,9 @@ Demand demandOf(const Scene& scene) {
   const bool bodies = std::ranges::any_of(luminaires, [](const auto& l) { return l.casts_shadow; });
   const bool glass =
       std::ranges::any_of(scene.materials, [](const auto& m) { return m.glass.has_value(); });
+  const auto* sky = scene.environment ? std::get_if<Sky>(&scene.environment->light) : nullptr;
+  const bool sun =
+      sky != nullptr && sky->direct_normal_illuminance > 0.0 && sky->sun_altitude_deg > 0.0;
   decide(demand, std::ranges::any_of(luminaires, lit), "direct light", "no luminaire is on");
   decide(demand, any_surface && reflecting, "interreflection", "no surface reflects");
   decide(demand, any_surface, "visibility", "there is no geometry");
@@ -45,10 +48,10 @@ Demand demandOf(const Scene& scene) {
   decide(demand, glossy, "highlights and reflections", "no material has a specular share");
   decide(demand, measured, "measured photometry", "no luminaire names a file");
   decide(demand, bodies, "luminaires as obstacles", "no luminaire casts a shadow");
-  decide(demand, false, "light from outside",
-         scene.environment ? "not yet computed" : "the project has no environment");
-  decide(demand, false, "light through glass",
-         glass ? "not yet computed: panes block light" : "no material is glass");
+  decide(demand, scene.environment.has_value(), "light from outside",
+         "the project has no environment");
+  decide(demand, sun, "sunlight", "the environment has no sun");
+  decide(demand, glass, "light through glass", "no material is glass");
   return demand;
 }
 

@@ -42,7 +42,8 @@ bool sameGeometry(const Scene& a, const Scene& b) {
 
 bool sameEnvironment(const Scene& a, const Scene& b) {
   if (a.environment.has_value() != b.environment.has_value()) return false;
-  return !a.environment || a.environment->description == b.environment->description;
+  return !a.environment || (a.environment->description == b.environment->description &&
+                            same(*a.environment, *b.environment));
 }
 
 }  // namespace

@@ -95,6 +95,31 @@ bool sameReflectance(const Material& a, const Material& b) {
          sameOptional(a.glass, b.glass);
 }
 
+bool same(const Environment& a, const Environment& b) {
+  if (a.light.index() != b.light.index()) return false;
+  if (const auto* sky = std::get_if<Sky>(&a.light)) {
+    const auto& other = std::get<Sky>(b.light);
+    return sky->cie == other.cie && sky->sun_azimuth_deg == other.sun_azimuth_deg &&
+           sky->sun_altitude_deg == other.sun_altitude_deg &&
+           sky->horizontal_illuminance == other.horizontal_illuminance &&
+           sky->direct_normal_illuminance == other.direct_normal_illuminance &&
+           sky->ground_reflectance == other.ground_reflectance;
+  }
+  if (const auto* probe = std::get_if<Probe>(&a.light)) {
+    const auto& other = std::get<Probe>(b.light);
+    return probe->file == other.file && probe->layout == other.layout &&
+           probe->rotation_deg == other.rotation_deg && probe->scale == other.scale &&
+           sameTable(probe->image, other.image);
+  }
+  const auto& patch = std::get<PatchLight>(a.light);
+  const auto& other = std::get<PatchLight>(b.light);
+  return patch.overhead_gain == other.overhead_gain &&
+         patch.overhead_threshold == other.overhead_threshold &&
+         patch.side_gain == other.side_gain && patch.side_threshold == other.side_threshold &&
+         patch.side_azimuth_rad == other.side_azimuth_rad &&
+         patch.rotation_deg == other.rotation_deg && patch.scale == other.scale;
+}
+
 bool same(const Camera& a, const Camera& b) {
   return a.name == b.name && a.position == b.position && a.target == b.target &&
          a.vertical_fov_deg == b.vertical_fov_deg;

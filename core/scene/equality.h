@@ -23,6 +23,8 @@ bool same(const light::Distribution& a, const light::Distribution& b);
 bool same(const Image& a, const Image& b);
 /// Everything but the name.
 bool sameReflectance(const Material& a, const Material& b);
+/// Everything but the description.
+bool same(const Environment& a, const Environment& b);
 bool same(const Camera& a, const Camera& b);
 bool same(const WorkPlane& a, const WorkPlane& b);
 bool same(const View& a, const View& b);

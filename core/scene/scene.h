@@ -4,6 +4,7 @@
 #include "core/geometry/mesh.h"
 #include "core/light/luminaire.h"
 #include "core/math/vec.h"
+#include "core/scene/environment.h"
 #include "core/scene/material.h"
 
 #include <map>
@@ -69,11 +70,6 @@ struct View {
 struct Quality {
   std::string preset = "interactive";  ///< "draft" | "interactive" | "final"
   std::map<std::string, double> settings;
-};
-
-/// Where a sky is given; kept and reported, see Scene::environment.
-struct Environment {
-  std::string description;  ///< one line for reports
 };
 
 struct Scene {

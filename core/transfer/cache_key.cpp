@@ -58,6 +58,8 @@ std::string cacheKey(const StaticScene& scene, const BakeSettings& settings) {
   summary.add(scene.mesh->material_of);
   summary.add(scene.mesh->uvs);
   summary.add(scene.sides);
+  // Rays of the bake pass and are mirrored by sheets: without glass nothing is added.
+  if (scene.panes != nullptr) summary.add(scene.panes->content());
   // Taken apart like this, a setting that is added later does not compile until it counts too.
   const auto& [texels, whole_cells, least_cell, most_cell, patch, node_rays, trainings, field_rays, list_rays, max_rank,
                lists, tolerance, seed] = settings;

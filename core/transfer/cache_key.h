@@ -14,7 +14,8 @@ namespace soffit::transfer {
 inline constexpr std::uint32_t kBakeVersion = 13;
 
 /// Names a bake by everything that decides it, as 32 hexadecimal digits (128 bits): triangles,
-/// their positions, materials (numbers, not names or reflectances), texture coordinates and lit
+/// their positions, materials (numbers, not names or reflectances), which are glass with what index
+/// and transmittance (rays of the bake pass through and are mirrored), texture coordinates and lit
 /// sides, all settings, kBakeVersion and the sources of the bake itself.
 ///
 /// Luminaires, layouts, reflectances, environment and Mesh::origin do not count. The one exception

@@ -10,8 +10,35 @@
 namespace soffit::transfer {
 namespace {
 
+/// Mirrorings after which a ray is given up.
+constexpr int kMostSheets = 16;
+
 /// Of all rays: where all others leave the scene, so few that meet it do not count.
 constexpr double kStray = 1.0 / 128.0;
+
+/// Sends a ray through the sheets before its hit; where one mirrors it, ray and hit become those of
+/// the new way.
+void passSheets(const StaticScene& scene, Rng& rng, geometry::Ray& ray, geometry::Hit& hit) {
+  daylight::PaneCrossing at;
+  geometry::Ray rest = ray;
+  rest.t_max = hit.valid() ? hit.t : std::numeric_limits<float>::infinity();
+  for (int mirrored = 0; scene.panes->next(rest, at);) {
+    const double u = rng.uniformDouble();
+    if (u < at.transmitted) {
+      rest.t_min = daylight::Panes::beyond(at.t, rest.direction);
+      continue;
+    }
+    hit = {};
+    if (u >= at.transmitted + at.reflected || ++mirrored > kMostSheets) return;
+    const vec3& up = scene.panes->normal(at.triangle);
+    const vec3 n = glm::dot(up, ray.direction) > 0.0F ? -up : up;
+    ray.origin = geometry::offsetOrigin(rest.origin + at.t * rest.direction, n);
+    ray.direction -= 2.0F * glm::dot(ray.direction, n) * n;
+    hit = scene.caster.closest(ray);
+    rest = ray;
+    rest.t_max = hit.valid() ? hit.t : std::numeric_limits<float>::infinity();
+  }
+}
 
 }  // namespace
 
@@ -48,6 +75,9 @@ void traceHemisphere(const StaticScene& scene, const Texels& texels, const vec3&
     }
   }
   scene.caster.closest(scratch.rays, scratch.hits);
+  if (scene.panes != nullptr) {
+    for (std::size_t i = 0; i < count; ++i) passSheets(scene, rng, scratch.rays[i], scratch.hits[i]);
+  }
   out.slots.resize(count);
   out.missed = 0;
   out.inside = 0;

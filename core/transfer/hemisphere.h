@@ -30,6 +30,10 @@ struct HemisphereScratch {
 /// Where fewer than one ray in 128 meets the scene, all count as having left it: light that reaches
 /// its outside through a seam would be a leak, and what is lost comes from less than 1 % of the hemisphere.
 ///
+/// A sheet of glass lets a ray through, mirrors it or swallows it by chance, with the probabilities
+/// of its transmittance and reflectance: the weights stay equal, what a pane mirrors is seen in it.
+/// What is swallowed counts as having left the scene.
+///
 /// p, n           scene-local, n unit.
 /// gap            m, Texels::gapReach of the point's texel: rays that end nearer on a texel outside of
 ///                gaps count as dark.

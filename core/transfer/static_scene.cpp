@@ -8,6 +8,7 @@
 #include "core/transfer/hemisphere.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace soffit::transfer {
 namespace {
@@ -42,12 +43,19 @@ bool isRoom(const geometry::Mesh& mesh, const geometry::Components& components, 
 }
 
 std::vector<std::uint8_t> sidesOf(const geometry::Mesh& mesh, const geometry::Components& components,
-                                  std::span<const vec3> inside) {
+                                  std::span<const vec3> inside, const daylight::Panes* panes) {
   std::vector<std::uint8_t> sides(mesh.triangles.size(), kBothSides);
+  const auto glass = [&](std::uint32_t t) { return panes != nullptr && panes->isGlass(t); };
   for (std::size_t i = 0; i < components.list.size(); ++i) {
     const geometry::Component& c = components.list[i];
-    if (!c.solid() || isRoom(mesh, components, i, inside)) continue;
+    if (!c.solid() || std::any_of(c.triangles.begin(), c.triangles.end(), glass) ||
+        isRoom(mesh, components, i, inside)) {
+      continue;
+    }
     for (const std::uint32_t t : c.triangles) sides[t] = c.outward() ? kFront : kBack;
+  }
+  if (panes != nullptr) {
+    for (const std::uint32_t t : panes->triangles()) sides[t] = kNoSide;
   }
   return sides;
 }
@@ -73,13 +81,31 @@ light::Blocker blockerOf(const geometry::ConvexFace& face, std::uint8_t sides) {
   return blocker;
 }
 
-/// The mesh as few convex faces; a component's triangles share their sides.
+/// The mesh as few convex faces; a component's triangles share their sides. Those of glass go to
+/// `pane_faces` instead.
 light::Blockers blockersOf(const geometry::Mesh& mesh, const geometry::Components& components,
-                           std::span<const std::uint8_t> sides) {
+                           std::span<const std::uint8_t> sides, const daylight::Panes* panes,
+                           std::vector<light::MaskBlocker>& pane_faces) {
   std::vector<light::Blocker> blockers;
-  for (const geometry::ConvexFace& face : geometry::mergeConvexFaces(mesh, components).faces) {
-    const std::uint32_t triangle = components.list[face.component].triangles.front();
-    const light::Blocker blocker = blockerOf(face, sides[triangle]);
+  const geometry::ConvexFaces merged = geometry::mergeConvexFaces(mesh, components);
+  // A face is of one material: all of it is glass or nothing.
+  std::vector<std::uint8_t> glass(merged.faces.size(), 0);
+  if (panes != nullptr) {
+    for (const std::uint32_t t : panes->triangles()) glass[merged.face_of[t]] = 1;
+  }
+  for (std::size_t i = 0; i < merged.faces.size(); ++i) {
+    const geometry::ConvexFace& face = merged.faces[i];
+    if (glass[i] != 0) {
+      const light::Blocker pane = blockerOf(face, kBothSides);
+      if (pane.normal != vec3(0.0F)) pane_faces.push_back(light::maskBlocker(pane));
+      continue;
+    }
+    // With glass in it, no triangle of the component is closed on one side.
+    const auto& triangles = components.list[face.component].triangles;
+    const auto opaque = std::find_if(triangles.begin(), triangles.end(), [&](std::uint32_t t) {
+      return panes == nullptr || !panes->isGlass(t);
+    });
+    const light::Blocker blocker = blockerOf(face, sides[*opaque]);
     if (blocker.normal != vec3(0.0F)) blockers.push_back(blocker);
   }
   return light::Blockers(blockers);
@@ -116,22 +142,26 @@ void dropVoidSides(StaticScene& scene) {
 }  // namespace
 
 std::shared_ptr<const StaticScene> makeStaticScene(std::shared_ptr<const geometry::Mesh> mesh,
-                                                   std::span<const vec3> inside) {
+                                                   std::span<const vec3> inside,
+                                                   std::shared_ptr<const daylight::Panes> panes) {
   const geometry::Components components = geometry::findComponents(*mesh);
-  std::vector<std::uint8_t> sides = sidesOf(*mesh, components, inside);
+  std::vector<std::uint8_t> sides = sidesOf(*mesh, components, inside, panes.get());
   std::vector<vec3> normals(mesh->triangles.size(), vec3(0.0F));
   for (std::size_t i = 0; i < normals.size(); ++i) {
     const uvec3& t = mesh->triangles[i];
     normals[i] = unitNormal(mesh->positions[t.x], mesh->positions[t.y], mesh->positions[t.z]);
   }
-  light::Blockers blockers = blockersOf(*mesh, components, sides);
+  std::vector<light::MaskBlocker> pane_faces;
+  light::Blockers blockers = blockersOf(*mesh, components, sides, panes.get(), pane_faces);
   const float size = mesh->bounds().diagonal();
   StaticScene scene{mesh,
-                    geometry::RayCaster(mesh->positions, mesh->triangles),
+                    daylight::opaqueCaster(*mesh, panes.get()),
                     std::move(blockers),
                     std::move(normals),
                     std::move(sides),
-                    std::min(1e-4F, 2e-5F * size)};
+                    std::min(1e-4F, 2e-5F * size),
+                    std::move(panes),
+                    std::move(pane_faces)};
   if (!mesh->triangles.empty()) dropVoidSides(scene);
   return std::make_shared<const StaticScene>(std::move(scene));
 }

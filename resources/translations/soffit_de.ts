@@ -59,6 +59,10 @@
         <translation>Vorberechnung speichern</translation>
     </message>
     <message>
+        <source>looking for the sky</source>
+        <translation>Himmel suchen</translation>
+    </message>
+    <message>
         <source>computing luminaires</source>
         <translation>Leuchten berechnen</translation>
     </message>
@@ -131,20 +135,20 @@
         <translation>Licht von außen</translation>
     </message>
     <message>
-        <source>not yet computed</source>
-        <translation>noch nicht berechnet</translation>
-    </message>
-    <message>
         <source>the project has no environment</source>
         <translation>das Projekt hat keine Umgebung</translation>
     </message>
     <message>
-        <source>light through glass</source>
-        <translation>Licht durch Glas</translation>
+        <source>sunlight</source>
+        <translation>Sonnenlicht</translation>
     </message>
     <message>
-        <source>not yet computed: panes block light</source>
-        <translation>noch nicht berechnet: Scheiben halten Licht auf</translation>
+        <source>the environment has no sun</source>
+        <translation>die Umgebung hat keine Sonne</translation>
+    </message>
+    <message>
+        <source>light through glass</source>
+        <translation>Licht durch Glas</translation>
     </message>
     <message>
         <source>no material is glass</source>
@@ -2642,8 +2646,8 @@
         <translation>Glas</translation>
     </message>
     <message>
-        <source>Glass: it reflects nothing until it is computed.</source>
-        <translation>Glas: reflektiert nichts, solange es nicht berechnet wird.</translation>
+        <source>Glass: it lets light through and mirrors some; it has no color of its own.</source>
+        <translation>Glas: lässt Licht durch und spiegelt etwas davon; eine eigene Farbe hat es nicht.</translation>
     </message>
     <message>
         <source>Its picture %1 is multiplied by the colour.</source>
@@ -2931,6 +2935,10 @@
 </context>
 <context>
     <name>soffit::ui::ProjectSession</name>
+    <message>
+        <source>Light from outside is not shown in the window yet; the command line computes it (soffit measure, render, compare, verify).</source>
+        <translation>Licht von außen zeigt das Fenster noch nicht; die Kommandozeile berechnet es (soffit measure, render, compare, verify).</translation>
+    </message>
     <message>
         <source>The picture was not written</source>
         <translation>Das Bild wurde nicht geschrieben</translation>

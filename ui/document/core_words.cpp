@@ -21,6 +21,7 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "looking where light differs"),
     QT_TRANSLATE_NOOP("Core", "tracing gather rays"), QT_TRANSLATE_NOOP("Core", "storing the bake"),
     QT_TRANSLATE_NOOP("Core", "computing luminaires"),
+    QT_TRANSLATE_NOOP("Core", "looking for the sky"),
     QT_TRANSLATE_NOOP("Core", "comparing layouts"),
     QT_TRANSLATE_NOOP("Core", "tracing reference paths"),
     // scene::demandOf()
@@ -35,10 +36,11 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "no luminaire names a file"),
     QT_TRANSLATE_NOOP("Core", "luminaires as obstacles"),
     QT_TRANSLATE_NOOP("Core", "no luminaire casts a shadow"),
-    QT_TRANSLATE_NOOP("Core", "light from outside"), QT_TRANSLATE_NOOP("Core", "not yet computed"),
+    QT_TRANSLATE_NOOP("Core", "light from outside"),
     QT_TRANSLATE_NOOP("Core", "the project has no environment"),
+    QT_TRANSLATE_NOOP("Core", "sunlight"),
+    QT_TRANSLATE_NOOP("Core", "the environment has no sun"),
     QT_TRANSLATE_NOOP("Core", "light through glass"),
-    QT_TRANSLATE_NOOP("Core", "not yet computed: panes block light"),
     QT_TRANSLATE_NOOP("Core", "no material is glass")};
 
 }  // namespace

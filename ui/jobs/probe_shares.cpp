@@ -18,9 +18,9 @@ double luxAt(const ProbePlace& place, const relight::Planes& lux) {
   return sum;
 }
 
-/// Of one luminaire alone.
-double luxAt(const ProbePlace& place, const relight::Lighting& lighting, std::size_t i) {
-  const relight::WeightedColumn light{&lighting.column(i), lighting.weight(i)};
+/// Of one light alone.
+double luxAt(const ProbePlace& place, const relight::Lighting& lighting,
+             const relight::WeightedColumn& light) {
   if (light.weight == dvec3(0.0)) return 0.0;
   double sum = 0.0;
   for (std::size_t k = 0; k < place.slots.size(); ++k) {
@@ -47,7 +47,7 @@ bool ProbeShares::knows(const std::vector<io::Probe>& probes, const LightColumns
 void ProbeShares::giveRest(const relight::Planes& lux, std::size_t in_hand) {
   for (std::size_t p = 0; p < places_.size(); ++p) {
     if (!places_[p]) continue;
-    double others = 0.0;
+    double others = outside_[p];
     for (std::size_t i = 0; i < shares_[p].size(); ++i) {
       if (i != in_hand) others += shares_[p][i];
     }
@@ -71,12 +71,17 @@ std::vector<std::vector<double>> ProbeShares::of(const std::vector<io::Probe>& p
   places_.clear();
   for (const io::Probe& probe : probes) places_.push_back(placeOf(probe, *columns.solver()));
   shares_.assign(probes.size(), {});
+  outside_.assign(probes.size(), 0.0);
   const relight::Lighting* lighting = columns.lightingOf(layout);
   if (lighting == nullptr) return shares_;
   for (std::size_t p = 0; p < places_.size(); ++p) {
     if (!places_[p]) continue;
     for (std::size_t i = 0; i < lighting->emitters().size(); ++i) {
-      shares_[p].push_back(luxAt(*places_[p], *lighting, i));
+      shares_[p].push_back(
+          luxAt(*places_[p], *lighting, {&lighting->column(i), lighting->weight(i)}));
+    }
+    for (const relight::WeightedColumn& light : lighting->outdoorLights()) {
+      outside_[p] += luxAt(*places_[p], *lighting, light);
     }
   }
   return shares_;

@@ -37,6 +37,7 @@ class ProbeShares {
   std::shared_ptr<const relight::Solver> solver_;
   std::vector<std::optional<ProbePlace>> places_;
   std::vector<std::vector<double>> shares_;
+  std::vector<double> outside_;  ///< per probe: what shines in from outside
 };
 
 }  // namespace soffit::ui

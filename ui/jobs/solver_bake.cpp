@@ -3,6 +3,7 @@
 
 #include "core/scene/equality.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace soffit::ui {
@@ -15,7 +16,12 @@ SolverBake::SolverBake(std::shared_ptr<const scene::Scene> scene, bool use_cache
       }) {}
 
 bool SolverBake::serves(const scene::Scene& scene) const {
-  return scene.mesh == scene_->mesh && scene::same(scene.quality, scene_->quality);
+  // Glass is where rays go on, so it is part of the geometry; other paint is not.
+  const auto glassOf = [](const scene::Material& m) {
+    return m.glass ? std::pair(m.glass->index, m.glass->transmittance) : std::pair(0.0, 0.0);
+  };
+  return scene.mesh == scene_->mesh && scene::same(scene.quality, scene_->quality) &&
+         std::ranges::equal(scene.materials, scene_->materials, {}, glassOf, glassOf);
 }
 
 void SolverBake::run(bool use_cache, ProgressObserver* observer, const Done& done,

@@ -98,6 +98,7 @@ void Verification::run() {
     }
     scene::Scene scene = *light->scene;
     scene.luminaires = light->luminaires;
+    scene.environment.reset();  // the light that is shown has none
     auto report = design::verify(solver, scene, options, Job{&relay_, stop});
     light->seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -56,6 +56,10 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
   for (const std::string& warning : document_.project().warnings) {
     workspace_.log->addWarning(toQt(warning));
   }
+  if (document_.scene()->environment) {
+    workspace_.log->addWarning(tr("Light from outside is not shown in the window yet; the command "
+                                  "line computes it (soffit measure, render, compare, verify)."));
+  }
   connectView();
   connectPanels();
   connectProgress();

@@ -135,8 +135,7 @@ ProjectContent readContent(const Json& root, Report& report) {
     content.work_planes.back().name = readName(value, path, report);
   });
   if (const Json* environment = reader.get("environment"); environment && !environment->isNull()) {
-    content.environment =
-        readEnvironment(*environment, "environment", report, content.environment_image);
+    content.environment = readEnvironment(*environment, "environment", report);
   }
   if (const Json* view = reader.get("view")) content.view = readView(*view, "view", report);
   if (const Json* quality = reader.get("quality")) {
@@ -162,7 +161,7 @@ scene::Material applyMaterialEdit(const scene::Material& material, const Materia
   if (edit.glass) result.glass = edit.glass;
   if (edit.opaque) result.glass = std::nullopt;
   if (result.glass) {
-    // A window at night: it blocks light and gives none back.
+    // Its own optics are all that it has.
     result.diffuse = dvec3(0.0);
     result.specular = 0.0;
   }

@@ -44,8 +44,7 @@ struct ProjectContent {
   std::vector<scene::Layout> layouts;
   std::vector<scene::Camera> cameras;
   std::vector<scene::WorkPlane> work_planes;
-  std::optional<scene::Environment> environment;
-  std::string environment_image;  ///< relative to the project; empty without one
+  std::optional<scene::Environment> environment;  ///< a probe without its picture
   scene::View view;
   scene::Quality quality;
 };
@@ -65,9 +64,8 @@ scene::Quality readQuality(const Json& value, const std::string& path, Report& r
 GeometryEntry readGeometryEntry(const Json& value, const std::string& path, Report& report);
 /// The member "up" of an object: 'y' or 'z', nothing when it is absent.
 std::optional<char> readUp(ObjectReader& reader, Report& report);
-/// The description for reports; `image` receives the probe's file.
-scene::Environment readEnvironment(const Json& value, const std::string& path, Report& report,
-                                   std::string& image);
+/// A probe's picture is still to be loaded.
+scene::Environment readEnvironment(const Json& value, const std::string& path, Report& report);
 
 Json toJson(const dvec3& v);
 Json toJson(const light::Shape& shape);
@@ -83,8 +81,8 @@ Json toJson(const scene::Camera& camera);
 Json toJson(const scene::WorkPlane& plane);
 Json toJson(const scene::View& view);
 
-/// The material that a project's override makes of the file's. Glass reflects nothing until it is
-/// computed.
+/// The material that a project's override makes of the file's. Glass has no paint: `daylight` knows
+/// what it mirrors and lets through.
 scene::Material applyMaterialEdit(const scene::Material& material, const MaterialEdit& edit);
 
 }  // namespace soffit::io

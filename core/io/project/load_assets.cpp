@@ -103,7 +103,6 @@ std::vector<scene::Material> loadMaterials(const MergedGeometry& geometry,
                                            AssetCache& assets, Report& report) {
   std::vector<scene::Material> materials;
   std::vector<std::string> undescribed;
-  std::vector<std::string> panes;
   const MaterialEdit nothing;
   for (std::size_t i = 0; i < geometry.materials.size(); ++i) {
     const scene::Material& from_file = geometry.materials[i];
@@ -115,9 +114,7 @@ std::vector<scene::Material> loadMaterials(const MergedGeometry& geometry,
             ImageUse::color, material.diffuse_image, assets, report);
     loadMap(material.normal_map, edit.normal_map.has_value(), path + ".normal_map",
             ImageUse::normal, material.normal_image, assets, report);
-    if (material.glass) {
-      panes.push_back(material.name);
-    } else if (!geometry.described[i] && !edit.diffuse) {
+    if (!material.glass && !geometry.described[i] && !edit.diffuse) {
       undescribed.push_back(material.name);
     }
     materials.push_back(std::move(material));
@@ -125,11 +122,6 @@ std::vector<scene::Material> loadMaterials(const MergedGeometry& geometry,
   if (!undescribed.empty()) {
     report.warn("materials", fmt::format("no file tells the colour of {}: diffuse 0.5 is taken",
                                          shortList(undescribed)));
-  }
-  if (!panes.empty()) {
-    report.warn("materials", fmt::format("glass is not yet computed: {} blocks light and reflects "
-                                         "nothing",
-                                         shortList(panes)));
   }
   warnAboutNames(geometry, edits, set_names, report);
   return materials;
@@ -150,6 +142,14 @@ void loadLuminaireFiles(std::vector<light::Luminaire>& luminaires,
       if (edit.distribution) files.load(*edit.distribution, path);
     }
   }
+}
+
+void loadProbe(scene::Environment& environment, AssetCache& assets, Report& report) {
+  auto* probe = std::get_if<scene::Probe>(&environment.light);
+  if (probe == nullptr) return;
+  const auto image = assets.image(probe->file, ImageUse::color);
+  if (!image) return report.failAt("environment.image", image.error());
+  probe->image = *image;
 }
 
 }  // namespace soffit::io

@@ -32,4 +32,7 @@ std::vector<scene::Material> loadMaterials(const MergedGeometry& geometry,
 void loadLuminaireFiles(std::vector<light::Luminaire>& luminaires,
                         std::vector<scene::Layout>& layouts, AssetCache& assets, Report& report);
 
+/// Fills the picture of a probe.
+void loadProbe(scene::Environment& environment, AssetCache& assets, Report& report);
+
 }  // namespace soffit::io

@@ -73,16 +73,6 @@ void fillScene(ProjectContent content, const MergedGeometry& geometry, scene::Sc
   scene.quality = std::move(content.quality);
 }
 
-void checkEnvironment(const ProjectContent& content, const std::filesystem::path& folder,
-                      Report& report) {
-  if (!content.environment) return;
-  report.warn("environment", "light from outside is not yet computed; the entry is kept");
-  if (content.environment_image.empty()) return;
-  if (const auto image = fileInFolder(folder, content.environment_image); !image) {
-    report.fail("environment.image", image.error().what, image.error().hint);
-  }
-}
-
 std::vector<std::string> withoutRepeats(const std::vector<std::string>& lines) {
   std::vector<std::string> unique;
   std::set<std::string> seen;
@@ -107,7 +97,7 @@ Result<Project> assemble(Project project, const LoadOptions& options) {
   project.scene.materials =
       loadMaterials(*geometry, content.materials, set_materials, *project.assets, report);
   loadLuminaireFiles(content.luminaires, content.layouts, *project.assets, report);
-  checkEnvironment(content, folderOf(project.path), report);
+  if (content.environment) loadProbe(*content.environment, *project.assets, report);
   project.geometry = content.geometry;
   project.file_materials = geometry->materials;
   fillScene(std::move(content), *geometry, project.scene);

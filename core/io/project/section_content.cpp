@@ -14,52 +14,6 @@ void checkPositive(const ObjectReader& reader, std::string_view key, double valu
               "Correct the number, or leave it out for 1.");
 }
 
-void checkRange(const ObjectReader& reader, std::string_view key, double value, double lowest,
-                double highest, Report& report) {
-  if (value >= lowest && value <= highest) return;
-  report.fail(reader.pathOf(key),
-              fmt::format("expected a number from {} to {}, found {}", lowest, highest, value),
-              "Correct the number.");
-}
-
-std::string readSky(const Json& value, const std::string& path, Report& report) {
-  ObjectReader reader(value, path, report);
-  int type = 1;
-  reader.require("cie", "1");
-  reader.read("cie", type);
-  checkRange(reader, "cie", type, 1, 16, report);
-  dvec2 sun{180.0, 45.0};
-  reader.read("sun", sun);
-  if (sun.y < -90.0 || sun.y > 90.0) {
-    report.fail(reader.pathOf("sun"),
-                fmt::format("expected an altitude from -90 to 90 degrees, found {}", sun.y),
-                "Write [azimuth, altitude] in degrees.");
-  }
-  std::optional<double> direct;
-  reader.read("direct_normal_illuminance", direct);
-  if (direct && *direct < 0.0) {
-    report.fail(reader.pathOf("direct_normal_illuminance"),
-                fmt::format("expected lux, not negative, found {}", *direct),
-                "Correct the number.");
-  }
-  return fmt::format("CIE sky {}", type);
-}
-
-void readImageProbe(ObjectReader& reader, Report& report, std::string& image) {
-  reader.read("image", image);
-  std::string layout = "latlong";
-  reader.read("layout", layout);
-  if (layout != "latlong") {
-    report.fail(reader.pathOf("layout"), fmt::format("expected \"latlong\", found \"{}\"", layout),
-                "Convert the picture to latitude and longitude.");
-  }
-  double rotation = 0.0;
-  reader.read("rotation", rotation);
-  double scale = 1.0;
-  reader.read("scale", scale);
-  checkRange(reader, "scale", scale, 0.0, 1e12, report);
-}
-
 scene::Glass readGlass(const Json& value, const std::string& path, Report& report) {
   scene::Glass glass;
   ObjectReader reader(value, path, report);
@@ -186,36 +140,6 @@ scene::Quality readQuality(const Json& value, const std::string& path, Report& r
     reader.read(member.key, quality.settings[member.key]);
   }
   return quality;
-}
-
-scene::Environment readEnvironment(const Json& value, const std::string& path, Report& report,
-                                   std::string& image) {
-  scene::Environment environment;
-  ObjectReader reader(value, path, report);
-  if (value.asObject() == nullptr) return environment;
-  const Json* sky = reader.get("sky");
-  const bool probe = reader.get("image") != nullptr;
-  if ((sky != nullptr) == probe) {
-    report.fail(path, "expected either a sky or an image",
-                "Write { \"sky\": { \"cie\": 1 }, \"horizontal_illuminance\": 10000 } or "
-                "{ \"image\": \"probe.hdr\" }.");
-  }
-  if (probe) {
-    readImageProbe(reader, report, image);
-    environment.description = fmt::format("image {}", image);
-  }
-  if (sky != nullptr) {
-    double illuminance = 0.0;
-    double ground = 0.0;
-    environment.description = readSky(*sky, reader.pathOf("sky"), report);
-    reader.require("horizontal_illuminance", "10000");
-    reader.read("horizontal_illuminance", illuminance);
-    checkRange(reader, "horizontal_illuminance", illuminance, 0.0, 1e7, report);
-    reader.read("ground_reflectance", ground);
-    checkRange(reader, "ground_reflectance", ground, 0.0, 1.0, report);
-    environment.description += fmt::format(", {} lx, ground {}", illuminance, ground);
-  }
-  return environment;
 }
 
 }  // namespace soffit::io

@@ -78,12 +78,16 @@ class SceneBuilder {
   std::unique_ptr<ViewScene> build(const std::vector<light::Luminaire>& luminaires = {}) {
     if (scene_.materials.empty()) scene_.materials.emplace_back();
     scene_.mesh = std::make_shared<geometry::Mesh>(mesh_);
-    auto caster = std::make_shared<geometry::RayCaster>(mesh_.positions, mesh_.triangles);
+    const auto panes = daylight::Panes::make(mesh_, scene_.materials);
+    auto caster =
+        std::make_shared<geometry::RayCaster>(daylight::opaqueCaster(mesh_, panes.get()));
     std::vector<light::Emitter> emitters;
     for (const auto& luminaire : luminaires) emitters.push_back(*light::makeEmitter(luminaire));
     return std::make_unique<ViewScene>(std::make_shared<scene::Scene>(scene_), std::move(caster),
                                        std::move(emitters));
   }
+
+  void setEnvironment(const scene::Environment& environment) { scene_.environment = environment; }
 
  private:
   void addVertex(const vec3& p, const vec3& n, const vec2& uv) {

@@ -203,17 +203,35 @@ TEST(RenderView, BrightEdgesCanBeWeighted) {
   EXPECT_GT(mixed, 3);
 }
 
-TEST(RenderView, GlassShowsBlackAndNothingShowsTheBackground) {
+TEST(RenderView, GlassDimsWhatIsBehindItAndNothingShowsTheBackground) {
   SceneBuilder builder;
+  // The camera looks down: a sheet halfway, on the right a floor below it.
   builder.addQuad({0, -50, 0}, {50, 0, 0}, {0, 100, 0},
-                  builder.addMaterial({.diffuse = dvec3(0.9), .glass = scene::Glass{}}));
+                  builder.addMaterial({.diffuse = dvec3(0.9), .glass = scene::Glass{1.0, 0.5}}));
+  const auto scene = builder.build();
+  RenderOptions options = small();
+  options.background = vec3(8, 6, 4);
+  const auto film = renderView(*scene, kFromAbove, EvenLight(vec3(100)), options).value();
+  // Index 1 absorbs alone: 0.5^(1 / cos), little less than a half near the middle.
+  const vec3 seen = film.radiance[film.at(18, 12)];
+  EXPECT_LT(seen.x, 4.0F);
+  EXPECT_GT(seen.x, 3.0F);
+  EXPECT_NEAR(seen.y / seen.x, 0.75F, 1e-4F);
+  EXPECT_EQ(film.radiance[film.at(2, 12)], vec3(8, 6, 4));
+  EXPECT_EQ(film.triangle[film.at(2, 12)], geometry::kNoTriangle);
+  EXPECT_EQ(film.triangle[film.at(30, 12)], geometry::kNoTriangle) << "the eye looks through";
+}
+
+TEST(RenderView, TheSkyIsSeenWhereNothingElseIs) {
+  SceneBuilder builder;
+  builder.setEnvironment(
+      {"", scene::Sky{.cie = 5, .horizontal_illuminance = 314.159265, .ground_reflectance = 0.5}});
   const auto scene = builder.build();
   RenderOptions options = small();
   options.background = vec3(7, 8, 9);
+  // Straight down: the ground, 0.5 of the even sky's 100 cd/m^2.
   const auto film = renderView(*scene, kFromAbove, EvenLight(vec3(100)), options).value();
-  EXPECT_EQ(film.radiance[film.at(30, 12)], vec3(0));
-  EXPECT_EQ(film.radiance[film.at(2, 12)], vec3(7, 8, 9));
-  EXPECT_EQ(film.triangle[film.at(2, 12)], geometry::kNoTriangle);
+  EXPECT_NEAR(film.radiance[film.at(16, 12)].y, 50.0F, 1e-3F);
 }
 
 TEST(RenderView, AnEmptySceneIsLegal) {

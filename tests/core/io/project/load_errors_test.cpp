@@ -247,10 +247,9 @@ TEST(LoadErrors, OfTheEnvironment) {
       outside(R"("image": "gone.hdr")"),
       "p.soffit: environment.image: there is no file \"gone.hdr\". Put it beside the project, or "
       "correct the name.");
-  EXPECT_EQ(
-      outside(R"("image": "quad.obj", "layout": "cross")"),
-      "p.soffit: environment.layout: expected \"latlong\", found \"cross\". Convert the picture to "
-      "latitude and longitude.");
+  EXPECT_EQ(outside(R"("image": "quad.obj", "layout": "spiral")"),
+            "p.soffit: environment.layout: expected \"latlong\", \"angular\" or \"cross\", found "
+            "\"spiral\". Name how the picture is laid out; a cross may stand or lie.");
 }
 
 TEST(LoadErrors, OfCamerasAndWorkPlanes) {

@@ -126,7 +126,7 @@ TEST(LoadProject, NoGeometryIsLegal) {
   }
 }
 
-TEST(LoadProject, GlassIsKeptAndReportedAsNotYetComputed) {
+TEST(LoadProject, GlassHasItsOwnOpticsAndNoPaint) {
   const ProjectFolder folder;
   const auto project = folder.load(
       R"({"soffit": 1, "geometry": [{"file": "quad.obj"}], "materials": {"wall": {"glass": {"index": 1.5, "transmittance": 0.9}}}})");
@@ -134,10 +134,8 @@ TEST(LoadProject, GlassIsKeptAndReportedAsNotYetComputed) {
   const scene::Material& wall = project->scene.materials[1];
   ASSERT_TRUE(wall.glass.has_value());
   EXPECT_EQ(wall.glass->index, 1.5);
-  EXPECT_EQ(wall.diffuse, dvec3(0.0)) << "a window at night";
-  EXPECT_THAT(
-      project->warnings,
-      ElementsAre("materials: glass is not yet computed: wall blocks light and reflects nothing"));
+  EXPECT_EQ(wall.diffuse, dvec3(0.0));
+  EXPECT_THAT(project->warnings, IsEmpty());
 }
 
 TEST(LoadProject, GlassThatIsTooClearIsWarnedAbout) {
@@ -151,22 +149,39 @@ TEST(LoadProject, GlassThatIsTooClearIsWarnedAbout) {
                "through"));
 }
 
-TEST(LoadProject, TheEnvironmentIsKeptAndReportedAsNotYetComputed) {
+TEST(LoadProject, TheEnvironmentIsRead) {
   const ProjectFolder folder;
-  folder.write("probe.hdr", "");
-  for (
-      const char* environment :
-      {R"({"sky": {"cie": 16, "sun": [180, 45]}, "horizontal_illuminance": 10000, "ground_reflectance": 0.2})",
-       R"({"sky": {"cie": 1, "sun": [0, 10], "direct_normal_illuminance": 80000}, "horizontal_illuminance": 10000})",
-       R"({"image": "probe.hdr", "layout": "latlong", "rotation": 90, "scale": 2})"}) {
-    const auto project =
-        folder.load(std::string(R"({"soffit": 1, "environment": )") + environment + "}");
-    ASSERT_TRUE(project) << project.error().message();
-    EXPECT_TRUE(project->scene.environment.has_value());
-    EXPECT_THAT(project->warnings,
-                ElementsAre("environment: light from outside is not yet computed; "
-                            "the entry is kept"));
-  }
+  scene::Image image{2, 1, 3, {1, 2, 3, 4, 5, 6}};
+  ASSERT_TRUE(writeImage(folder.path() / "probe.exr", image));
+  const auto environment = [&](const std::string& text) {
+    const auto project = folder.load(R"({"soffit": 1, "environment": )" + text + "}");
+    EXPECT_TRUE(project) << project.error().message();
+    EXPECT_THAT(project->warnings, IsEmpty());
+    return project->scene.environment.value();
+  };
+  const auto overcast = environment(
+      R"({"sky": {"cie": 16, "sun": [170, 35]}, "horizontal_illuminance": 10000, "ground_reflectance": 0.2})");
+  const auto& sky = std::get<scene::Sky>(overcast.light);
+  EXPECT_EQ(sky.cie, 16);
+  EXPECT_EQ(sky.sun_azimuth_deg, 170.0);
+  EXPECT_EQ(sky.sun_altitude_deg, 35.0);
+  EXPECT_EQ(sky.horizontal_illuminance, 10000.0);
+  EXPECT_EQ(sky.ground_reflectance, 0.2);
+  EXPECT_EQ(sky.direct_normal_illuminance, 0.0);
+  const auto clear = environment(
+      R"({"sky": {"cie": 1, "sun": [0, 10], "direct_normal_illuminance": 80000}, "horizontal_illuminance": 10000})");
+  EXPECT_EQ(std::get<scene::Sky>(clear.light).direct_normal_illuminance, 80000.0);
+  const auto picture =
+      environment(R"({"image": "probe.exr", "layout": "angular", "rotation": 90, "scale": 2})");
+  const auto& probe = std::get<scene::Probe>(picture.light);
+  EXPECT_EQ(probe.layout, scene::ProbeLayout::angular);
+  EXPECT_EQ(probe.rotation_deg, 90.0);
+  EXPECT_EQ(probe.scale, 2.0);
+  ASSERT_NE(probe.image, nullptr);
+  EXPECT_EQ(probe.image->pixels[4], 5.0F);
+  const auto analytic = environment(R"({"analytic": {"side_azimuth": 90}, "scale": 500})");
+  EXPECT_NEAR(std::get<scene::PatchLight>(analytic.light).side_azimuth_rad, radians(90.0), 1e-15);
+  EXPECT_EQ(std::get<scene::PatchLight>(analytic.light).scale, 500.0);
 }
 
 TEST(LoadProject, MeshLuminairesAndMapsAreLoaded) {
