@@ -12,6 +12,7 @@ namespace soffit::daylight {
 namespace {
 
 constexpr int kOvercast = 16;
+constexpr int kSteps = 4096;  // of the quick tables
 
 double gradation(const CieParameters& p, double cos_zenith) {
   // exp(b / 0) with b < 0 is 0: the limit at the horizon.
@@ -81,6 +82,26 @@ CieSky::CieSky(int type, const dvec3& to_sun, double horizontal_illuminance)
   // Type 16 in closed form: integral of (1 + 2 z)/3 z 2 pi dz = 7 pi / 9.
   const double integral = type_ == kOvercast ? 7.0 * kPi / 9.0 : horizontalIntegral(*this);
   zenith_luminance_ = horizontal_illuminance / integral;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double at = static_cast<double>(i) / kSteps;
+    const bool overcast = type_ == kOvercast;
+    const double chord = 2.0 * at;
+    gradation_.push_back(
+        static_cast<float>(overcast ? (1.0 + 2.0 * at) / 3.0 : gradation(p_, at) / at_zenith_));
+    indicatrix_.push_back(
+        static_cast<float>(overcast ? 1.0 : indicatrix(p_, 1.0 - 0.5 * chord * chord)));
+  }
+}
+
+double CieSky::quickLuminance(const dvec3& d) const {
+  const auto look = [](const std::vector<float>& table, double at) {
+    const double x = std::clamp(at, 0.0, 1.0) * kSteps;
+    const auto i = std::min(static_cast<std::size_t>(x), std::size_t{kSteps - 1});
+    const double f = x - static_cast<double>(i);
+    return (1.0 - f) * static_cast<double>(table[i]) + f * static_cast<double>(table[i + 1]);
+  };
+  const double chord = std::sqrt(std::max(0.0, 2.0 - 2.0 * glm::dot(d, to_sun_)));
+  return zenith_luminance_ * look(gradation_, d.z) * look(indicatrix_, 0.5 * chord);
 }
 
 double CieSky::relative(const dvec3& d) const {

@@ -93,6 +93,7 @@ dvec3 Environment::radiance(const dvec3& d) const {
 }
 
 dvec3 Environment::smoothRadiance(const dvec3& d) const {
+  if (sky_) return dvec3(d.z >= 0.0 ? sky_->quickLuminance(d) : ground_);
   return picture_ != nullptr ? picture_->smooth(turned(d)) : radiance(d);
 }
 

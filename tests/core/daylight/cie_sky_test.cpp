@@ -100,5 +100,18 @@ TEST(CieSky, ClearSkiesAreBrightestAtTheSunAndDarkestAcrossTheZenith) {
               1e-6);
 }
 
+TEST(CieSky, TablesAgreeWithTheFormula) {
+  Rng rng(9);
+  for (int type = 1; type <= 16; ++type) {
+    const CieSky sky(type, skyDirection(2.0, radians(35.0)), 10000.0);
+    for (int i = 0; i < 2000; ++i) {
+      const double z = i == 0 ? 0.0 : rng.uniformDouble();
+      const dvec3 d = skyDirection(2.0 * kPi * rng.uniformDouble(), std::asin(z));
+      const double exact = sky.luminance(d);
+      EXPECT_NEAR(sky.quickLuminance(d), exact, 1e-5 * exact) << type << ", z " << z;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace soffit::daylight
