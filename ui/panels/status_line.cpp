@@ -4,6 +4,7 @@
 #include "ui/document/text.h"
 #include "ui/widgets/quantity.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QProgressBar>
 #include <QStatusBar>
@@ -66,6 +67,7 @@ StatusLine::StatusLine(QStatusBar* bar)
   bar->addPermanentWidget(quality_);
   bar->addPermanentWidget(verified_);
   connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancelRequested);
+  light_->installEventFilter(this);
   endProgress();
 }
 
@@ -101,6 +103,7 @@ void StatusLine::showHint(const QString& hint) {
 }
 
 void StatusLine::showReading(const std::optional<SurfaceReading>& reading) {
+  reading_ = reading;
   if (!reading) {
     place_->clear();
     light_->clear();
@@ -114,6 +117,11 @@ void StatusLine::showReading(const std::optional<SurfaceReading>& reading) {
   light_->setText(QStringLiteral("%1 %2   %3 cd/m\u00b2")
                       .arg(formatReading(reading->lux, Dimension::illuminance),
                            unitOf(Dimension::illuminance), candelas(reading->luminance)));
+}
+
+bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == light_ && event->type() == QEvent::LocaleChange) showReading(reading_);
+  return QObject::eventFilter(watched, event);
 }
 
 void StatusLine::setVerified(const QString& text) {

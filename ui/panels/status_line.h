@@ -6,6 +6,8 @@
 #include <QElapsedTimer>
 #include <QObject>
 
+#include <optional>
+
 class QLabel;
 class QProgressBar;
 class QStatusBar;
@@ -33,6 +35,10 @@ class StatusLine : public QObject {
  Q_SIGNALS:
   void cancelRequested();
 
+ protected:
+  /// Other units: the reading is told in them.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   QLabel* place_;
   QLabel* light_;
@@ -42,6 +48,7 @@ class StatusLine : public QObject {
   QLabel* stage_;
   QProgressBar* progress_;
   QToolButton* cancel_;
+  std::optional<SurfaceReading> reading_;
   QString known_stage_;
   QElapsedTimer stage_time_;
 };

@@ -6,8 +6,11 @@
 #include "ui/widgets/units.h"
 
 #include <QComboBox>
+#include <QLabel>
+#include <QStatusBar>
 #include <QTableWidget>
 
+#include <algorithm>
 #include <numeric>
 
 namespace soffit::ui {
@@ -145,7 +148,12 @@ class LightMarksTest : public QObject {
 
   void footcandlesAreShownEverywhere() {
     QVERIFY(fixture_->trigger(QStringLiteral("Wor&k plane values")));
+    SceneView& view = fixture_->view();
+    QTest::mouseMove(&view, QPoint(view.width() / 2, view.height() * 4 / 5));
     applyUnits(Units::imperial);
+    const auto labels = fixture_->window->statusBar()->findChildren<QLabel*>();
+    QVERIFY(std::ranges::any_of(
+        labels, [](const QLabel* l) { return l->text().contains(QStringLiteral(" fc ")); }));
     QCOMPARE(legend().scale().unit, color::LuxUnit::footcandle);
     QCOMPARE(overlay().marks().scale.unit, color::LuxUnit::footcandle);
     QCOMPARE(fixture_->view().look().scale.unit, color::LuxUnit::footcandle);
