@@ -37,16 +37,35 @@ vec4 channels(const dvec3& weight) {
   return {vec3(weight), 0.0F};
 }
 
+/// One of them, or of a LightSum's.
+struct Part {
+  std::span<const vec4> skeleton;
+  std::span<const transfer::PatchLight> node;
+  vec4 weight;
+};
+
 Reflected together(std::span<const WeightedSum> sums, std::span<const WeightedColumn> columns) {
-  Reflected all;
+  std::vector<Part> parts;
   for (const WeightedSum& s : sums) {
-    addScaled(s.sum->skeleton, channels(s.factor), all.skeleton);
-    addScaled(s.sum->node, channels(s.factor), all.node);
+    parts.push_back({s.sum->skeleton, s.sum->node, channels(s.factor)});
   }
   for (const WeightedColumn& c : columns) {
-    addScaled(c.column->skeleton, channels(c.weight), all.skeleton);
-    addScaled(c.column->node, channels(c.weight), all.node);
+    parts.push_back({c.column->skeleton, c.column->node, channels(c.weight)});
   }
+  Reflected all;
+  std::size_t lists = 0;
+  for (const Part& p : parts) {
+    addScaled(p.node, p.weight, all.node);
+    lists = std::max(lists, p.skeleton.size());
+  }
+  all.skeleton.assign(lists, vec4(0.0F));
+  parallelFor(lists, 1024, [&](std::size_t begin, std::size_t end) {
+    for (const Part& p : parts) {
+      for (std::size_t k = begin; k < std::min(end, p.skeleton.size()); ++k) {
+        all.skeleton[k] += p.weight * p.skeleton[k];
+      }
+    }
+  });
   return all;
 }
 
