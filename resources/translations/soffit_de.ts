@@ -2646,7 +2646,7 @@
         <translation>Glas</translation>
     </message>
     <message>
-        <source>Glass: it lets light through and mirrors some; it has no color of its own.</source>
+        <source>Glass: it lets light through and mirrors some; it has no colour of its own.</source>
         <translation>Glas: lässt Licht durch und spiegelt etwas davon; eine eigene Farbe hat es nicht.</translation>
     </message>
     <message>

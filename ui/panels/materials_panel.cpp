@@ -246,7 +246,7 @@ void MaterialsPanel::showChosen() {
                           static_cast<QWidget*>(colour_), static_cast<QWidget*>(specular_)}) {
     widget->setEnabled(opaque);
   }
-  note_->setText(!opaque ? tr("Glass: it lets light through and mirrors some; it has no color of its own.")
+  note_->setText(!opaque ? tr("Glass: it lets light through and mirrors some; it has no colour of its own.")
                  : !m->diffuse_map.empty()
                      ? tr("Its picture %1 is multiplied by the colour.").arg(toQt(m->diffuse_map))
                      : QString());
