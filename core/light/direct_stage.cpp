@@ -70,6 +70,7 @@ class Stage {
         receivers_(receivers),
         blockers_(blockers),
         bodies_(options.bodies),
+        changed_(options.changed),
         epsilon_(options.epsilon),
         lux_(lux) {
     const Emitter& e = light.emitter();
@@ -88,6 +89,7 @@ class Stage {
       std::fill(lux_.begin() + c.begin, lux_.begin() + c.end, 0.0F);
       return false;
     }
+    if (keeps(c.bounds)) return anyLight(c.begin, c.end);
     counts.points += c.used;
     collect(c.bounds, scratch);
     if (scratch.cluster.empty()) ++counts.clusters_clear;
@@ -97,6 +99,10 @@ class Stage {
       const std::uint32_t end = std::min(c.end, begin + kSection);
       const BlockerLanes& candidates = narrowed(begin, end, scratch);
       for (std::uint32_t slot = begin; slot < end; slot += Receivers::kGroup) {
+        if (keeps(receivers_.groups[slot / Receivers::kGroup])) {
+          lit = lit || anyLight(slot, slot + Receivers::kGroup);
+          continue;
+        }
         lit = group(slot, candidates, scratch, counts) || lit;
       }
     }
@@ -108,6 +114,17 @@ class Stage {
   [[nodiscard]] bool outOfSight(const Receivers::Bounds& b) const {
     if (one_sided_ && highest(b.box, plane_n_) <= plane_d_) return true;
     return hasPlane(b) && highest(light_.emitter().bounds, b.normal) <= b.plane_min;
+  }
+
+  /// Whether nothing changed between these bounds and the light.
+  [[nodiscard]] bool keeps(const Receivers::Bounds& b) const {
+    if (changed_.empty()) return false;
+    const Shaft shaft = shaftTo(b);
+    return std::ranges::none_of(changed_, [&](const Box& box) { return shaft.touches(box); });
+  }
+
+  [[nodiscard]] bool anyLight(std::uint32_t begin, std::uint32_t end) const {
+    return std::any_of(lux_.begin() + begin, lux_.begin() + end, [](float e) { return e > 0.0F; });
   }
 
   [[nodiscard]] Shaft shaftTo(const Receivers::Bounds& b) const {
@@ -314,6 +331,7 @@ class Stage {
   const Receivers& receivers_;
   const Blockers& blockers_;
   Blockers bodies_;
+  std::span<const Box> changed_;
   float epsilon_;
   std::span<float> lux_;
   bool one_sided_ = false;

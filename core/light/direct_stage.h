@@ -15,12 +15,12 @@ namespace soffit::light {
 /// (design.md section 3). Unoccluded error: round-off; visibility error: 512 samples on the light,
 /// a jump of 1/512 where edges cross it.
 struct DirectCounts {
-  std::uint64_t points = 0;             ///< receivers evaluated (culled ones not counted)
+  std::uint64_t points = 0;  ///< receivers evaluated (culled ones not counted)
   std::uint64_t clusters = 0;
-  std::uint64_t clusters_culled = 0;    ///< behind the light, or the light behind them
-  std::uint64_t clusters_clear = 0;     ///< empty shaft: nothing can block
-  std::uint64_t groups_clear = 0;       ///< emptied by the finer shaft
-  std::uint64_t blocker_tests = 0;      ///< blockers handed to the kernel, per group
+  std::uint64_t clusters_culled = 0;  ///< behind the light, or the light behind them
+  std::uint64_t clusters_clear = 0;   ///< empty shaft: nothing can block
+  std::uint64_t groups_clear = 0;     ///< emptied by the finer shaft
+  std::uint64_t blocker_tests = 0;    ///< blockers handed to the kernel, per group
   void add(const DirectCounts& o);
 };
 
@@ -28,15 +28,18 @@ struct DirectOptions {
   float epsilon = 1e-4F;  ///< m; receivers nearer to a blocker's plane are not hidden by it
   /// The emitting luminaire's own body never blocks its light; others are listed here.
   std::span<const MaskBlocker> bodies;
+  /// Where anything changed that may block: groups whose ways to the light touch none of these
+  /// boxes keep the lux that they have. Empty: all are computed.
+  std::span<const Box> changed;
 };
 
 /// lux[slot] = illuminance at dimming 1 (Y of the colour = 1) for every slot of `receivers`;
 /// lit[cluster] = 1 where any of it is not zero. Sizes: slotCount() and clusters.size(). Points
 /// with normal (0,0,0) get 0.
 /// Parallel over clusters; the result does not depend on the number of threads.
-void directIlluminance(const PreparedLight& light, const Receivers& receivers, const Blockers& blockers,
-                       const DirectOptions& options, std::span<float> lux, std::span<std::uint8_t> lit,
-                       DirectCounts* counts = nullptr);
+void directIlluminance(const PreparedLight& light, const Receivers& receivers,
+                       const Blockers& blockers, const DirectOptions& options, std::span<float> lux,
+                       std::span<std::uint8_t> lit, DirectCounts* counts = nullptr);
 
 /// The part of a convex blocker on the side n.x > d of a plane; count 0 when nothing is left.
 MaskBlocker clipToFront(const MaskBlocker& blocker, const vec3& n, float d);

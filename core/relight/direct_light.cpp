@@ -113,9 +113,12 @@ double transmittanceToward(const transfer::StaticScene& scene, const light::Prep
 
 void directLight(const transfer::StaticScene& scene, const light::PreparedLight& light,
                  const light::Receivers& receivers, std::span<const light::MaskBlocker> bodies,
-                 std::span<float> lux, std::span<std::uint8_t> lit, light::DirectCounts* counts) {
+                 std::span<float> lux, std::span<std::uint8_t> lit, light::DirectCounts* counts,
+                 std::span<const Box> changed) {
+  if (scene.panes != nullptr) changed = {};
   light::directIlluminance(light, receivers, scene.blockers,
-                           {.epsilon = scene.epsilon, .bodies = bodies}, lux, lit, counts);
+                           {.epsilon = scene.epsilon, .bodies = bodies, .changed = changed}, lux,
+                           lit, counts);
   if (scene.panes == nullptr) return;
   const Behind behind = clustersBehindGlass(scene, light.emitter(), receivers, lit);
   if (behind.clusters.empty()) return;

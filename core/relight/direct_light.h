@@ -19,10 +19,11 @@ namespace soffit::relight {
 /// a pane's are computed twice. tau is smooth over the light; 16 points leave below 1e-3 of E
 /// unless the light is within its own size of the receiver at grazing incidence on the pane.
 ///
-/// lux, lit, counts: as directIlluminance() has them.
+/// lux, lit, changed, counts: as directIlluminance() has them; with glass everything is computed
+/// whatever changed.
 void directLight(const transfer::StaticScene& scene, const light::PreparedLight& light,
                  const light::Receivers& receivers, std::span<const light::MaskBlocker> bodies,
                  std::span<float> lux, std::span<std::uint8_t> lit,
-                 light::DirectCounts* counts = nullptr);
+                 light::DirectCounts* counts = nullptr, std::span<const Box> changed = {});
 
 }  // namespace soffit::relight

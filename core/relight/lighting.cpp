@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/relight/lighting.h"
 
-#include "core/base/parallel.h"
 #include "core/relight/bodies.h"
+#include "core/relight/direct_sums.h"
 #include "core/relight/same_light.h"
-#include "core/transfer/kernels.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <utility>
 
@@ -41,13 +39,7 @@ std::vector<light::MaskBlocker> Lighting::otherBodies(std::size_t i) const {
 }
 
 std::vector<float> Lighting::openShare() const {
-  std::vector<float> open;
-  for (const light::Emitter& e : emitters_) {
-    if (!e.casts_shadow) continue;
-    if (open.empty()) open.assign(solver_->operators().texels.slotCount(), 1.0F);
-    coverTexels(e, solver_->operators().texels, open);
-  }
-  return open;
+  return relight::openShare(emitters_, solver_->operators().texels);
 }
 
 void Lighting::compute(std::size_t i) {
@@ -94,10 +86,12 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
   }
   emitters_ = std::move(emitters);
   entries_ = std::move(entries);
-  if (!keep) {
+  outdoors_stale_ = outdoors_stale_ || !keep;
+  if (outdoors_stale_) {
     if (auto done = computeOutdoors(job); !done) return done;
+    outdoors_stale_ = false;
   }
-  grabbed_ = static_cast<std::size_t>(-1);
+  letGo();
   for (std::size_t i = 0; i < emitters_.size(); ++i) {
     if (job.cancelled()) return Error{"light", "cancelled", ""};
     job.report("computing luminaires",
@@ -109,7 +103,7 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
 
 Result<void> Lighting::repaint(std::shared_ptr<const Solver> solver, const Job& job) {
   solver_ = std::move(solver);
-  grabbed_ = static_cast<std::size_t>(-1);
+  letGo();
   const std::vector<float> open = openShare();
   for (Entry& entry : entries_) entry.ready = false;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -123,36 +117,15 @@ Result<void> Lighting::repaint(std::shared_ptr<const Solver> solver, const Job& 
 }
 
 std::optional<Planes> Lighting::totalUnder(const Solver& painted) const {
-  const auto& clusters = solver_->operators().texels.receivers.clusters;
-  std::vector<std::pair<dvec3, Column>> lights;  // by colour
+  DirectSums sums;
   for (std::size_t i = 0; i < emitters_.size(); ++i) {
     if (emitters_[i].gain <= 0.0) continue;
     if (!entries_[i].direct) return std::nullopt;
-    const Column& one = entries_[i].column;
-    auto sum = std::ranges::find(lights, emitters_[i].color, &std::pair<dvec3, Column>::first);
-    if (sum == lights.end()) {
-      lights.emplace_back(emitters_[i].color, Column{});
-      sum = std::prev(lights.end());
-      sum->second.direct.assign(one.direct.size(), 0.0F);
-      sum->second.lit.assign(one.lit.size(), 0);
-    }
-    const auto gain = static_cast<float>(emitters_[i].gain);
-    parallelFor(clusters.size(), 64, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        if (one.lit[k] == 0) continue;
-        sum->second.lit[k] = 1;
-        transfer::addScaled(gain, &one.direct[clusters[k].begin],
-                            &sum->second.direct[clusters[k].begin],
-                            clusters[k].end - clusters[k].begin);
-      }
-    });
+    sums.add(entries_[i].column, emitters_[i].gain, emitters_[i].color, painted.operators());
   }
   const std::vector<float> open = openShare();
-  std::vector<WeightedColumn> together;
-  for (auto& [color, column] : lights) {
-    painted.indirect(column, open);
-    together.push_back({&column, color});
-  }
+  sums.reflect(painted, open);
+  std::vector<WeightedColumn> together = sums.lights();
   std::vector<Column> outside(outdoors_.columns.size());
   for (std::size_t i = 0; i < outside.size(); ++i) {
     outside[i].direct = outdoors_.columns[i].direct;
@@ -171,10 +144,11 @@ void Lighting::setMix(std::size_t i, double gain, const dvec3& color) {
   if (gain > 0.0 && !entries_[i].ready) compute(i);
 }
 
-std::vector<WeightedColumn> Lighting::lights(std::optional<std::size_t> but) const {
+std::vector<WeightedColumn> Lighting::lights(std::span<const std::size_t> but) const {
   std::vector<WeightedColumn> on;
   for (std::size_t i = 0; i < emitters_.size(); ++i) {
-    if (i != but && emitters_[i].gain > 0.0) on.push_back({&entries_[i].column, weight(i)});
+    const bool left_out = std::ranges::find(but, i) != but.end();
+    if (!left_out && emitters_[i].gain > 0.0) on.push_back({&entries_[i].column, weight(i)});
   }
   const std::vector<WeightedColumn> outside = outdoorLights();
   on.insert(on.end(), outside.begin(), outside.end());
@@ -191,32 +165,6 @@ Planes Lighting::indirectTotal() const {
   Planes lux;
   spread({}, lights(), solver_->operators(), lux, LightPart::reflected);
   return lux;
-}
-
-void Lighting::grab(std::size_t index) {
-  grabbed_ = index;
-  rest_ = noLight(solver_->operators());
-  for (const WeightedColumn& other : lights(index)) addTo(rest_, other, solver_->operators());
-  const WeightedSum rest{&rest_};
-  spread({&rest, 1}, {}, solver_->operators(), moved_);
-}
-
-StageTimes Lighting::move(const light::Emitter& emitter, light::DirectCounts* counts) {
-  StageTimes times;
-  emitters_[grabbed_] = emitter;
-  Entry& entry = entries_[grabbed_];
-  if (emitter.casts_shadow) entry.body = bodyBlockers(emitter);
-  solver_->direct(emitter, otherBodies(grabbed_), entry.column, counts, &times);
-  solver_->indirect(entry.column, openShare(), nullptr, &times);
-  entry.direct = true;
-  entry.ready = true;
-  const auto start = std::chrono::steady_clock::now();
-  const WeightedSum rest{&rest_};
-  const WeightedColumn own{&entry.column, weight(grabbed_)};
-  spread({&rest, 1}, {&own, 1}, solver_->operators(), moved_);
-  const auto passed = std::chrono::steady_clock::now() - start;
-  times.interpolate = std::chrono::duration<double, std::milli>(passed).count();
-  return times;
 }
 
 std::vector<SensorLight> Lighting::read(const Sensors& sensors,

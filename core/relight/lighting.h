@@ -32,10 +32,10 @@ class Lighting {
   Result<void> setLuminaires(std::span<const light::Luminaire> luminaires, const Job& job = {});
 
   /// What shines in from outside from now on, null: nothing. Its light is computed here, luminaires
-  /// stay as they are; another sky over the same building takes no rays but the sun's. The body of a
-  /// luminaire shades the sun, and not the sky; while one is in hand, the sun's shadow of its body
-  /// stays where it was.
-  /// Errors: cancelled; nothing shines in then.
+  /// stay as they are; another sky over the same building takes no rays but the sun's. The body of
+  /// a luminaire shades the sun, and not the sky; while one is in hand, the sun's shadow of its
+  /// body stays where it was, until the next setLuminaires(). Errors: cancelled; nothing shines in
+  /// then.
   Result<void> setEnvironment(std::shared_ptr<const daylight::Environment> environment,
                               const Job& job = {});
   [[nodiscard]] const daylight::Environment* environment() const { return environment_.get(); }
@@ -66,11 +66,18 @@ class Lighting {
   /// New gain and colour of luminaire i: no light is computed.
   void setMix(std::size_t i, double gain, const dvec3& color);
 
-  /// Takes luminaire i in hand: sums all others once. Ends when another is grabbed.
-  void grab(std::size_t i);
-  /// The grabbed luminaire at a new place, and the total at every display point after it.
+  /// Takes luminaires in hand: sums all others once. Ends when others are grabbed.
+  void grab(std::span<const std::size_t> which);
+  void grab(std::size_t i) { grab({&i, 1}); }
+  /// The luminaires in hand, in the order of grab(), as they are now, and the total at every
+  /// display point after it. Several are reflected together; their own columns follow at the next
+  /// setLuminaires(). Where one has a body, what it shades of the others is computed anew, between
+  /// where it was and where it is. What differs in gain and colour alone takes no direct light.
   /// Times hold the stages in ms.
-  StageTimes move(const light::Emitter& emitter, light::DirectCounts* counts = nullptr);
+  StageTimes move(std::span<const light::Emitter> emitters, light::DirectCounts* counts = nullptr);
+  StageTimes move(const light::Emitter& emitter, light::DirectCounts* counts = nullptr) {
+    return move({&emitter, 1}, counts);
+  }
   /// Total after the last move().
   [[nodiscard]] const Planes& moved() const { return moved_; }
 
@@ -98,15 +105,23 @@ class Lighting {
   [[nodiscard]] std::size_t columnFor(const light::Emitter& emitter, std::size_t at) const;
   [[nodiscard]] std::vector<light::MaskBlocker> otherBodies(std::size_t i) const;
   [[nodiscard]] std::vector<float> openShare() const;
-  /// All that are on, but one, and what shines in.
-  [[nodiscard]] std::vector<WeightedColumn> lights(std::optional<std::size_t> but = {}) const;
+  /// All that are on, but some, and what shines in.
+  [[nodiscard]] std::vector<WeightedColumn> lights(std::span<const std::size_t> but = {}) const;
+  [[nodiscard]] bool inHand(std::size_t i) const;
+  std::vector<Box> takeBodies(std::span<const light::Emitter> emitters);
+  void letGo() {
+    hand_.clear();
+    moving_.clear();
+  }
 
   std::shared_ptr<const Solver> solver_;
   std::vector<light::Emitter> emitters_;
   std::vector<Entry> entries_;
   std::shared_ptr<const daylight::Environment> environment_;
   Outdoors outdoors_;
-  std::size_t grabbed_ = static_cast<std::size_t>(-1);
+  bool outdoors_stale_ = false;      ///< bodies shade the sun otherwise than outdoors_ has it
+  std::vector<std::size_t> hand_;    ///< luminaires in hand
+  std::vector<std::size_t> moving_;  ///< those whose light a move may change
   LightSum rest_;
   Planes moved_;
   light::DirectCounts counts_;

@@ -14,7 +14,7 @@ Result<void> Lighting::setEnvironment(std::shared_ptr<const daylight::Environmen
                                       const Job& job) {
   environment_ = std::move(environment);
   if (environment_ != nullptr && environment_->dark()) environment_.reset();
-  grabbed_ = static_cast<std::size_t>(-1);
+  letGo();
   auto done = computeOutdoors(job);
   if (!done) environment_.reset();
   return done;

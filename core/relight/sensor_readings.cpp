@@ -25,16 +25,6 @@ std::vector<light::MaskBlocker> bodiesOfOthers(std::span<const light::Emitter> e
   return out;
 }
 
-std::vector<float> openShareOf(std::span<const light::Emitter> emitters, const Solver& solver) {
-  std::vector<float> open;
-  for (const light::Emitter& e : emitters) {
-    if (!e.casts_shadow) continue;
-    if (open.empty()) open.assign(solver.operators().texels.slotCount(), 1.0F);
-    coverTexels(e, solver.operators().texels, open);
-  }
-  return open;
-}
-
 }  // namespace
 
 SensorReadings::SensorReadings(std::vector<scene::Sensor> sensors, int rays, std::uint64_t seed)
@@ -88,7 +78,7 @@ Result<std::vector<SensorLight>> SensorReadings::read(std::span<const light::Emi
                                                       const Job& job) {
   if (!sensors_) return Error{"sensors", "there is no light transport yet", "Precompute first."};
   dropIfBodiesChanged(emitters);
-  const std::vector<float> open = openShareOf(emitters, *solver_);
+  const std::vector<float> open = openShare(emitters, solver_->operators().texels);
   std::vector<SensorLight> out(points_.size());
   for (std::size_t i = 0; i < emitters.size(); ++i) {
     if (job.cancelled()) return Error{"sensors", "cancelled", ""};

@@ -63,12 +63,38 @@ void Solver::setMaterials(std::span<const scene::Material> materials) {
 void Solver::direct(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies,
                     Column& column, light::DirectCounts* counts, StageTimes* times) const {
   Lap lap;
+  std::vector<float> lux(shadow_groups_.points.slotCount());
+  std::vector<std::uint8_t> lit(shadow_groups_.points.clusters.size());
+  directLight(*scene_, light::PreparedLight(emitter), shadow_groups_.points, bodies, lux, lit,
+              counts);
+  readDirect(lux, column);
+  if (times != nullptr) times->direct += lap.ms();
+}
+
+void Solver::directAgain(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies,
+                         std::span<const Box> changed, Column& column, light::DirectCounts* counts,
+                         StageTimes* times) const {
+  Lap lap;
+  const light::Receivers& points = shadow_groups_.points;
+  std::vector<float> lux(points.slotCount());
+  std::vector<std::uint8_t> lit(points.clusters.size());
+  for (std::size_t s = 0; s < column.direct.size(); ++s) {
+    lux[shadow_groups_.place[s]] = column.direct[s];
+  }
+  // The last group is filled up with its last point.
+  for (const light::Receivers::Cluster& c : points.clusters) {
+    std::fill(lux.begin() + c.begin + c.used, lux.begin() + c.end, lux[c.begin + c.used - 1]);
+  }
+  directLight(*scene_, light::PreparedLight(emitter), points, bodies, lux, lit, counts, changed);
+  readDirect(lux, column);
+  if (times != nullptr) times->direct += lap.ms();
+}
+
+/// From the direct stage's order to the texels'.
+void Solver::readDirect(std::span<const float> lux, Column& column) const {
   const light::Receivers& receivers = operators_->texels.receivers;
   column.direct.resize(receivers.slotCount());
   column.lit.resize(receivers.clusters.size());
-  std::vector<float> lux(shadow_groups_.points.slotCount());
-  std::vector<std::uint8_t> lit(shadow_groups_.points.clusters.size());
-  directLight(*scene_, light::PreparedLight(emitter), shadow_groups_.points, bodies, lux, lit, counts);
   parallelFor(receivers.clusters.size(), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       float most = 0.0F;
@@ -79,7 +105,6 @@ void Solver::direct(const light::Emitter& emitter, std::span<const light::MaskBl
       column.lit[i] = most > 0.0F ? 1 : 0;
     }
   });
-  if (times != nullptr) times->direct += lap.ms();
 }
 
 vec4 Solver::conservingScale(const dvec3& sent, std::span<const vec4> y) const {

@@ -66,6 +66,11 @@ class Solver {
   void direct(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies,
               Column& column, light::DirectCounts* counts = nullptr,
               StageTimes* times = nullptr) const;
+  /// The same after bodies moved within these boxes and nothing else: column.direct holds the light
+  /// of before, and only what sees the emitter through a box is computed.
+  void directAgain(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies,
+                   std::span<const Box> changed, Column& column,
+                   light::DirectCounts* counts = nullptr, StageTimes* times = nullptr) const;
 
   /// Indirect light from column.direct. open: share of each texel that no hugging body covers
   /// (bodies.h), empty for none. source: when given, gets the whole radiosity per slot (for
@@ -102,6 +107,7 @@ class Solver {
   [[nodiscard]] vec4 conservingScale(const dvec3& sent, std::span<const vec4> y) const;
   void radiosityOf(const Column& column, std::span<const float> open,
                    std::vector<vec4>& source) const;
+  void readDirect(std::span<const float> lux, Column& column) const;
   [[nodiscard]] float directAt(const Column& column, std::span<const float> open,
                                std::size_t slot) const {
     const float e = column.direct[operators_->fill_from[slot]];

@@ -34,7 +34,7 @@ void LightColumns::setSolver(std::shared_ptr<const relight::Solver> solver) {
 
 void LightColumns::repaint(std::shared_ptr<const relight::Solver> solver) {
   solver_ = std::move(solver);
-  for (Entry& entry : entries_) entry.grabbed.reset();
+  for (Entry& entry : entries_) entry.grabbed.clear();
 }
 
 std::optional<LightColumns::Answer> LightColumns::paintedLight(
@@ -66,21 +66,50 @@ LightColumns::Entry& LightColumns::entryOf(const std::string& layout) {
   return entries_.front();
 }
 
+/// Whether nothing but the luminaires in hand changed, and those not in their mix alone, which
+/// many of them answer sooner than a move.
 bool LightColumns::onlyMoved(const Entry& entry, const std::vector<light::Luminaire>& luminaires,
-                             std::size_t in_hand) {
+                             const std::vector<std::size_t>& in_hand) {
   if (entry.luminaires.size() != luminaires.size()) return false;
+  if (in_hand.empty() || in_hand.back() >= luminaires.size()) return false;
+  bool moved = false;
+  bool lit = false;
   for (std::size_t i = 0; i < luminaires.size(); ++i) {
-    if (i != in_hand && !scene::same(entry.luminaires[i], luminaires[i])) return false;
+    if (std::ranges::binary_search(in_hand, i)) {
+      moved = moved || !sameButMix(entry.luminaires[i], luminaires[i]);
+      lit = lit || luminaires[i].on;
+    } else if (!scene::same(entry.luminaires[i], luminaires[i])) {
+      return false;
+    }
   }
-  return true;
+  return lit && (moved || entry.grabbed == in_hand);
+}
+
+Result<void> LightColumns::moveHand(Entry& entry, const std::vector<light::Luminaire>& luminaires,
+                                    const std::vector<std::size_t>& in_hand, Answer& answer) const {
+  relight::Lighting& lighting = *entry.lighting;
+  std::vector<light::Emitter> emitters;
+  for (const std::size_t i : in_hand) {
+    auto emitter = light::makeEmitter(luminaires[i], solver_->scene().mesh->origin);
+    if (!emitter) return emitter.error();
+    emitters.push_back(std::move(*emitter));
+  }
+  if (entry.grabbed != in_hand) {
+    lighting.grab(in_hand);
+    entry.grabbed = in_hand;
+  }
+  answer.times = lighting.move(emitters, &answer.counts);
+  for (const std::size_t i : in_hand) entry.luminaires[i] = luminaires[i];
+  answer.lux = lighting.moved();
+  return {};
 }
 
 /// Notes which luminaires shed another light, not only more or less of it.
 Result<void> LightColumns::take(Entry& entry, const std::vector<light::Luminaire>& luminaires,
                                 const Job& job) {
   const std::vector<light::Luminaire> before = std::exchange(entry.luminaires, {});
-  if (entry.grabbed || before.size() != luminaires.size()) entry.sums.clear();
-  entry.grabbed.reset();
+  if (!entry.grabbed.empty() || before.size() != luminaires.size()) entry.sums.clear();
+  entry.grabbed.clear();
   entry.changed.resize(luminaires.size(), true);
   if (&entry.lighting->solver() != solver_.get()) {
     entry.sums.clear();
@@ -119,23 +148,14 @@ const relight::Lighting* LightColumns::lightingOf(const std::string& layout) con
 
 Result<LightColumns::Answer> LightColumns::light(const std::string& layout,
                                                  const std::vector<light::Luminaire>& luminaires,
-                                                 std::optional<std::size_t> in_hand,
+                                                 const std::vector<std::size_t>& in_hand,
                                                  const Job& job) {
   Entry& entry = entryOf(layout);
   relight::Lighting& lighting = *entry.lighting;
   Answer answer;
   const bool painted = entry.half_painted || &lighting.solver() != solver_.get();
-  if (!painted && in_hand && *in_hand < luminaires.size() && luminaires[*in_hand].on &&
-      onlyMoved(entry, luminaires, *in_hand)) {
-    if (entry.grabbed != in_hand) {
-      lighting.grab(*in_hand);
-      entry.grabbed = in_hand;
-    }
-    const auto emitter = light::makeEmitter(luminaires[*in_hand], solver_->scene().mesh->origin);
-    if (!emitter) return emitter.error();
-    answer.times = lighting.move(*emitter, &answer.counts);
-    entry.luminaires[*in_hand] = luminaires[*in_hand];
-    answer.lux = lighting.moved();
+  if (!painted && onlyMoved(entry, luminaires, in_hand)) {
+    if (const auto done = moveHand(entry, luminaires, in_hand, answer); !done) return done.error();
   } else {
     if (const auto taken = take(entry, luminaires, job); !taken) return taken.error();
     answer.lux = mixed(entry);

@@ -40,11 +40,11 @@ class LightColumns {
   /// The layout whose light is never dropped for that of another: the one in the view.
   void keep(const std::string& layout) { kept_ = layout; }
 
-  /// Total light of a layout's luminaires. in_hand: the one that is being dragged; as long as it
-  /// stays the same and nothing else changes, a call costs one move.
+  /// Total light of a layout's luminaires. in_hand: those that are being dragged, rising; as long
+  /// as they stay the same and nothing else changes, a call costs one move of them together.
   /// Errors: makeEmitter's; cancelled (what was computed until then is kept).
   Result<Answer> light(const std::string& layout, const std::vector<light::Luminaire>& luminaires,
-                       std::optional<std::size_t> in_hand, const Job& job);
+                       const std::vector<std::size_t>& in_hand, const Job& job);
   /// The light of a layout as it was computed last; null when it was not, or was dropped.
   [[nodiscard]] const relight::Lighting* lightingOf(const std::string& layout) const;
 
@@ -53,14 +53,16 @@ class LightColumns {
     std::string layout;
     std::unique_ptr<relight::Lighting> lighting;
     std::vector<light::Luminaire> luminaires;  ///< the state of `lighting`
-    std::optional<std::size_t> grabbed;
+    std::vector<std::size_t> grabbed;
     bool half_painted = false;  ///< a repaint was given up: reflections are old and new
     relight::GroupSums sums;
     std::vector<bool> changed;  ///< since the sums were made
   };
   Entry& entryOf(const std::string& layout);
   static bool onlyMoved(const Entry& entry, const std::vector<light::Luminaire>& luminaires,
-                        std::size_t in_hand);
+                        const std::vector<std::size_t>& in_hand);
+  Result<void> moveHand(Entry& entry, const std::vector<light::Luminaire>& luminaires,
+                        const std::vector<std::size_t>& in_hand, Answer& answer) const;
   static relight::Planes mixed(Entry& entry);
   Result<void> take(Entry& entry, const std::vector<light::Luminaire>& luminaires, const Job& job);
 

@@ -179,7 +179,9 @@ LightFramePtr RelightWorker::lightOf(const LightRequest& request, const std::sto
   LightFrame frame = frameOf(request, std::move(*answer), start);
   // Many luminaires in a drag leave no time for it.
   if (request.stops_older) {
-    frame.shares = shares_.of(request.probes, columns_, request.layout, frame.lux, request.in_hand);
+    const auto one =
+        request.in_hand.size() == 1 ? std::optional(request.in_hand.front()) : std::nullopt;
+    frame.shares = shares_.of(request.probes, columns_, request.layout, frame.lux, one);
     frame.milliseconds = millisecondsSince(start);
   }
   return std::make_shared<const LightFrame>(std::move(frame));

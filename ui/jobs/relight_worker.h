@@ -22,7 +22,7 @@ struct LightRequest {
   ScenePtr scene;
   std::string layout;                        ///< name, empty for the base
   std::vector<light::Luminaire> luminaires;  ///< of that layout
-  std::optional<std::size_t> in_hand;        ///< the luminaire that is being dragged
+  std::vector<std::size_t> in_hand;          ///< luminaires that are being dragged, rising
   std::vector<io::Probe> probes;             ///< that want to know who lights them
   std::uint64_t revision = 0;                ///< rising
   /// Older work is given up. Not while many luminaires are dragged: each step of that takes longer

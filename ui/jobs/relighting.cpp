@@ -3,8 +3,6 @@
 
 #include "ui/document/text.h"
 
-#include <algorithm>
-
 namespace soffit::ui {
 
 Relighting::Relighting(Document& document, bool use_cache, QObject* parent)
@@ -32,11 +30,11 @@ void Relighting::request() {
   request.probes = document_.probes();
   request.revision = ++revision_;
   request.stops_older = !document_.previewing() || document_.selection().size() <= 1;
-  if (document_.previewing() && document_.selection().size() == 1) {
-    const auto found = std::ranges::find(request.luminaires, toStd(document_.selection().front()),
-                                         &light::Luminaire::name);
-    if (found != request.luminaires.end()) {
-      request.in_hand = static_cast<std::size_t>(found - request.luminaires.begin());
+  if (document_.previewing()) {
+    for (std::size_t i = 0; i < request.luminaires.size(); ++i) {
+      if (document_.selection().contains(toQt(request.luminaires[i].name))) {
+        request.in_hand.push_back(i);
+      }
     }
   }
   worker_.request(std::move(request));

@@ -78,6 +78,27 @@ class LightColumnsTest : public QObject {
     expectSum(total());
   }
 
+  void severalInHandMoveTogether() {
+    const auto before = luminaires_;
+    (void)total();
+    const std::vector<std::size_t> hand{0, 2, 3};
+    for (int step = 0; step < 3; ++step) {
+      for (const std::size_t i : hand) luminaires_[i].position.y += 0.05;
+      const auto answer = columns_.light("", luminaires_, hand, {});
+      QVERIFY(answer.ok());
+      QVERIFY(answer->times.direct > 0.0);  // a move, and no light of every luminaire
+      expectSum(answer->lux, 1e-3F);        // energy is conserved by the sum
+    }
+    expectSum(total());
+    // A mix in hand needs no move.
+    luminaires_[0].dimming = luminaires_[2].dimming = luminaires_[3].dimming = 0.5;
+    const auto dimmed = columns_.light("", luminaires_, hand, {});
+    QVERIFY(dimmed.ok());
+    QCOMPARE(dimmed->times.total(), 0.0);
+    expectSum(dimmed->lux);
+    luminaires_ = before;
+  }
+
   void otherReflectancesFollowWithoutABake() {
     (void)total();
     auto materials = scene_.materials;
@@ -120,7 +141,7 @@ class LightColumnsTest : public QObject {
 
  private:
   relight::Planes total() {
-    auto answer = columns_.light("", luminaires_, std::nullopt, {});
+    auto answer = columns_.light("", luminaires_, {}, {});
     return answer ? answer->lux : relight::Planes{};
   }
   /// Three sums of a few floats in another order.
