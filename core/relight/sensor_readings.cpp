@@ -5,6 +5,7 @@
 #include "core/relight/same_light.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace soffit::relight {

@@ -5,6 +5,7 @@
 #include "core/light/emitter.h"
 #include "core/render/emitter_shape_hit.h"
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/sh/rotation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 

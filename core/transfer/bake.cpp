@@ -6,6 +6,7 @@
 #include "core/transfer/skeleton.h"
 #include "core/transfer/training.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 
@@ -31,19 +32,22 @@ class Clock {
   double last_ = 0.0;
 };
 
-/// Texels of the wished number: whole cells first, the rest where cells are worth splitting. In a room
-/// where few are, smaller cells everywhere are the better use; in a large building more texels are.
+/// Texels of the wished number: whole cells first, the rest where cells are worth splitting. In a
+/// room where few are, smaller cells everywhere are the better use; in a large building more texels
+/// are.
 Texels layTexels(const StaticScene& scene, const BakeSettings& settings) {
   auto count = static_cast<std::size_t>(settings.texels);
   const double least = std::min(settings.least_cell, scene.mesh->bounds().diagonal() / 200.0);
   const auto cellFor = [&](double share) {
-    return cellForCount(*scene.mesh, scene.sides, static_cast<std::size_t>(share * static_cast<double>(count)), least);
+    return cellForCount(*scene.mesh, scene.sides,
+                        static_cast<std::size_t>(share * static_cast<double>(count)), least);
   };
   std::size_t useful = 0;
   double cell = cellFor(settings.whole_cells);
   const double most = std::max(settings.most_cell, least);
   if (cell > most) {
-    count = static_cast<std::size_t>(static_cast<double>(count) * std::min(4.0, (cell / most) * (cell / most)));
+    count = static_cast<std::size_t>(static_cast<double>(count) *
+                                     std::min(4.0, (cell / most) * (cell / most)));
     cell = cellFor(settings.whole_cells);
   }
   Texels texels = makeTexels(*scene.mesh, scene.sides, cell, &scene.caster, count, &useful);
@@ -59,7 +63,8 @@ struct FirstHits {
   std::vector<std::uint8_t> within;  ///< 1 where most rays meet the inside of solids
 };
 
-FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, const Job& job, Operators& operators) {
+FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, const Job& job,
+                     Operators& operators) {
   const Texels& texels = operators.texels;
   const auto rays = static_cast<std::size_t>(settings.node_rays * settings.node_rays);
   FirstHits first;
@@ -76,14 +81,16 @@ FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, con
       if (job.cancelled()) return;
       const light::Receivers::Cluster& c = texels.receivers.clusters[i];
       for (std::uint32_t s = c.begin; s < c.begin + c.used; ++s) {
-        traceHemisphere(scene, texels, texels.receivers.position(s), texels.receivers.normal(s), settings.node_rays,
-                        settings.seed * 15485863U + s, texels.gapReach(s), scratch, hits);
-        std::copy(hits.slots.begin(), hits.slots.end(), first.slots.begin() + static_cast<std::ptrdiff_t>(s * rays));
+        traceHemisphere(scene, texels, texels.receivers.position(s), texels.receivers.normal(s),
+                        settings.node_rays, settings.seed * 15485863U + s, texels.gapReach(s),
+                        scratch, hits);
+        std::copy(hits.slots.begin(), hits.slots.end(),
+                  first.slots.begin() + static_cast<std::ptrdiff_t>(s * rays));
         const int total = static_cast<int>(rays);
         first.valid[s] = texels.area[s] > 0.0F && hits.inside * 10 <= total ? 1 : 0;
         first.within[s] = hits.inside * 2 > total ? 1 : 0;
-        operators.sends[s] =
-            static_cast<float>(total - hits.missed - hits.inside) / static_cast<float>(total);  // x area below
+        operators.sends[s] = static_cast<float>(total - hits.missed - hits.inside) /
+                             static_cast<float>(total);  // x area below
       }
       job.report("tracing surfaces", static_cast<double>(++done) / static_cast<double>(clusters));
     }
@@ -94,7 +101,9 @@ FirstHits traceFirst(const StaticScene& scene, const BakeSettings& settings, con
 /// Invalid texels show the light of the nearest valid one of their cluster.
 void fillInvalid(const FirstHits& first, Operators& operators) {
   const Texels& texels = operators.texels;
-  const auto chartOf = [&](std::uint32_t slot) { return texels.charts.chart_of[texels.triangle[slot]]; };
+  const auto chartOf = [&](std::uint32_t slot) {
+    return texels.charts.chart_of[texels.triangle[slot]];
+  };
   operators.area = texels.area;
   operators.fill_from.resize(texels.slotCount());
   operators.buried.assign(texels.slotCount(), 0);
@@ -106,7 +115,9 @@ void fillInvalid(const FirstHits& first, Operators& operators) {
       operators.area[s] = 0.0F;
       float best = 1e30F;
       for (std::uint32_t o = c.begin; o < c.begin + c.used; ++o) {
-        if (first.valid[o] == 0 || glm::dot(texels.receivers.normal(o), texels.receivers.normal(s)) < 0.7F) continue;
+        if (first.valid[o] == 0 ||
+            glm::dot(texels.receivers.normal(o), texels.receivers.normal(s)) < 0.7F)
+          continue;
         // A door's leaf in a reveal: the light on its other side is not this texel's.
         if (chartOf(o) == chartOf(s) && texels.part[o] != texels.part[s]) continue;
         const vec3 d = texels.receivers.position(o) - texels.receivers.position(s);
@@ -124,10 +135,12 @@ void fillInvalid(const FirstHits& first, Operators& operators) {
 
 std::size_t Operators::bytes() const {
   return lists.bytes() + node_lists.bytes() + weights.size() * sizeof(Half) + nodes.matrix.bytes() +
-         nodes.phi.size() * sizeof(vec2) + list_area.size() * sizeof(float) + clusters.size() * sizeof(ClusterWeights);
+         nodes.phi.size() * sizeof(vec2) + list_area.size() * sizeof(float) +
+         clusters.size() * sizeof(ClusterWeights);
 }
 
-Result<std::shared_ptr<const Operators>> bake(const StaticScene& scene, const BakeSettings& settings, const Job& job,
+Result<std::shared_ptr<const Operators>> bake(const StaticScene& scene,
+                                              const BakeSettings& settings, const Job& job,
                                               const CoarseResult& coarse, BakeCounts* counts) {
   const Error cancelled{"bake", "cancelled", ""};
   Clock clock;
@@ -145,16 +158,19 @@ Result<std::shared_ptr<const Operators>> bake(const StaticScene& scene, const Ba
   const FirstHits first = traceFirst(scene, settings, job, *operators);
   if (job.cancelled()) return cancelled;
   fillInvalid(first, *operators);
-  for (std::size_t s = 0; s < operators->sends.size(); ++s) operators->sends[s] *= operators->area[s];
+  for (std::size_t s = 0; s < operators->sends.size(); ++s)
+    operators->sends[s] *= operators->area[s];
   const int rays = settings.node_rays * settings.node_rays;
-  tally.rays += static_cast<std::uint64_t>(operators->texels.texelCount()) * static_cast<std::uint64_t>(rays);
+  tally.rays +=
+      static_cast<std::uint64_t>(operators->texels.texelCount()) * static_cast<std::uint64_t>(rays);
   operators->nodes = makeNodes(operators->texels, operators->area, settings.patch);
   fillNodeMatrix(operators->nodes, operators->area, first.slots, rays);
   operators->coarse = true;
   tally.node_seconds = clock.lap();
   tally.first_result_seconds = clock.seconds();
   if (coarse) coarse(std::make_shared<const Operators>(*operators));
-  const TrainingFields fields = makeTrainingFields(scene, *operators, first.slots, rays, settings, job);
+  const TrainingFields fields =
+      makeTrainingFields(scene, *operators, first.slots, rays, settings, job);
   if (job.cancelled()) return cancelled;
   tally.training_seconds = clock.lap();
   tally.rays += fillSkeletons(scene, fields, settings, job, *operators);

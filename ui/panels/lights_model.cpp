@@ -8,6 +8,7 @@
 #include "ui/widgets/value_change.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace soffit::ui {
 

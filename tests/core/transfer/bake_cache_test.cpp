@@ -10,6 +10,7 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <iterator>
 #include <stop_token>
 #include <thread>
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace soffit::transfer {
@@ -83,7 +84,8 @@ TEST(Texels, AroundAPointWeightsInterpolateLinearly) {
       return texels.area[s] > 0.99F * *std::max_element(texels.area.begin(), texels.area.end());
     });
     if (!whole) continue;
-    EXPECT_LT(glm::length(mean - p), 1e-3F) << "at " << p.x << ' ' << p.y << ' ' << p.z << " from " << count;
+    EXPECT_LT(glm::length(mean - p), 1e-3F)
+        << "at " << p.x << ' ' << p.y << ' ' << p.z << " from " << count;
     ++asked;
   }
   EXPECT_EQ(asked, 24);

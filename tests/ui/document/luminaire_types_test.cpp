@@ -6,15 +6,17 @@
 #include "core/io/project/move_project.h"
 #include "core/light/emitter.h"
 #include "core/photometry/beam.h"
+#include "tests/ui/document/saving.h"
 #include "ui/document/document.h"
 #include "ui/document/mesh_text.h"
 #include "ui/document/synthetic_photometry.h"
-#include "tests/ui/document/saving.h"
 
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <algorithm>
 
 namespace soffit::ui {
 

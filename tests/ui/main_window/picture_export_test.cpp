@@ -17,6 +17,8 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace soffit::ui {
 
 class PictureExportTest : public QObject {

@@ -8,6 +8,8 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include <algorithm>
+
 namespace soffit::ui {
 
 constexpr double kRoundoff = 1e-9;

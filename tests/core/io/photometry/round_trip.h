@@ -4,6 +4,8 @@
 #include "core/io/photometry/photometric_file.h"
 #include "tests/core/photometry/distributions.h"
 
+#include <functional>
+
 namespace soffit::io {
 
 /// A synthetic luminaire of a formula in C and gamma (radians).
