@@ -19,7 +19,8 @@ Result<void> runBake(const CommonOptions& options, Session& session) {
   ProgressBar progress;
   const auto project = loadForCommand(options, session, &progress);
   if (!project) return project.error();
-  const auto engine = makeEngine(*project, options, false, session.job(progress), session);
+  const auto engine = makeEngine(*project, options, false, session.job(progress), session,
+                                 [](const auto&) { /* asked for, so that the first result is made */ });
   if (!engine) return engine.error();
   progress.clear();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -9,7 +9,7 @@
 namespace soffit::cli {
 
 Result<Engine> makeEngine(const io::Project& project, const CommonOptions& options, bool light, const Job& job,
-                          Session& session) {
+                          Session& session, const relight::CoarseSolver& coarse) {
   Engine engine;
   auto quality = relight::qualitySettings(project.scene.quality);
   if (!quality) {
@@ -19,7 +19,7 @@ Result<Engine> makeEngine(const io::Project& project, const CommonOptions& optio
   }
   engine.quality = *quality;
   engine.quality.bake.seed = options.seed;
-  auto solver = relight::makeSolver(project.scene, engine.quality, !options.no_cache, job, engine.report);
+  auto solver = relight::makeSolver(project.scene, engine.quality, !options.no_cache, job, engine.report, coarse);
   if (!solver) return solver.error();
   engine.solver = *solver;
   session.warnings.insert(session.warnings.end(), engine.report.messages.begin(), engine.report.messages.end());

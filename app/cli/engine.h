@@ -22,7 +22,7 @@ struct Engine {
 /// Bakes or loads and, with `light`, computes all luminaires of the project's scene. The engine's
 /// messages go to session.warnings.
 Result<Engine> makeEngine(const io::Project& project, const CommonOptions& options, bool light, const Job& job,
-                          Session& session);
+                          Session& session, const relight::CoarseSolver& coarse = {});
 
 /// The seam of `soffit render`.
 MakePictureLight pictureLight(Session& session);

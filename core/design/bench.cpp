@@ -226,16 +226,10 @@ Result<BenchEngine> makeBenchEngine(const scene::Scene& scene, const scene::Qual
   if (!settings) return settings.error();
   settings->bake.seed = seed;
   BenchEngine engine;
-  std::shared_ptr<const transfer::Operators> coarse;
   auto solver = relight::makeSolver(scene, *settings, false, job, engine.report,
-                                    [&](const auto& operators) { coarse = operators; });
+                                    [&](auto coarse) { engine.coarse = std::move(coarse); });
   if (!solver) return solver.error();
   engine.solver = *solver;
-  if (coarse != nullptr) {
-    engine.coarse = std::make_shared<const relight::Solver>(
-        std::shared_ptr<const transfer::StaticScene>(engine.solver, &engine.solver->scene()),
-        coarse, scene.materials);
-  }
   return engine;
 }
 
@@ -253,7 +247,7 @@ Result<BenchRow> measureBench(const BenchPoint& point, const BenchEngine& engine
   row.operator_bytes = engine.report.bytes;
   const bool nodes = point.method == BenchMethod::nodes && engine.coarse != nullptr;
   if (nodes) {
-    row.bake_s = row.first_result_s;
+    row.bake_s = engine.report.bake.coarse_seconds;
     row.operator_bytes = engine.coarse->operators().bytes();
   }
   std::size_t light = 0;

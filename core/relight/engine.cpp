@@ -95,10 +95,16 @@ std::shared_ptr<const transfer::StaticScene> makeStaticScene(const scene::Scene&
 
 Result<std::shared_ptr<const Solver>> makeSolver(const scene::Scene& scene, const QualitySettings& quality,
                                                  bool use_cache, const Job& job, EngineReport& report,
-                                                 const transfer::CoarseResult& coarse) {
+                                                 const CoarseSolver& coarse) {
   job.report("preparing geometry", 0.0);
   const auto static_scene = makeStaticScene(scene);
-  auto operators = transfer::bakeOrLoad(*static_scene, quality.bake, use_cache, job, coarse, &report.bake,
+  transfer::CoarseResult on_coarse;
+  if (coarse) {
+    on_coarse = [&](const std::shared_ptr<const transfer::Operators>& found) {
+      if (!job.cancelled()) coarse(std::make_shared<const Solver>(static_scene, found, scene.materials));
+    };
+  }
+  auto operators = transfer::bakeOrLoad(*static_scene, quality.bake, use_cache, job, on_coarse, &report.bake,
                                         report.cached, report.messages);
   if (!operators) return operators.error();
   report.bytes = (*operators)->bytes();

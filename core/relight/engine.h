@@ -8,6 +8,7 @@
 #include "core/scene/scene.h"
 #include "core/transfer/operators.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,11 +34,14 @@ struct EngineReport {
   std::vector<std::string> messages;    ///< warnings, one line each
 };
 
+/// Called with coarse solvers, each finer than the one before, as soon as they are there.
+using CoarseSolver = std::function<void(std::shared_ptr<const Solver>)>;
+
 /// Static scene, operators (baked or from the cache) and solver of a scene.
 /// Errors: quality's, cancelled.
 Result<std::shared_ptr<const Solver>> makeSolver(const scene::Scene& scene, const QualitySettings& quality,
                                                  bool use_cache, const Job& job, EngineReport& report,
-                                                 const transfer::CoarseResult& coarse = {});
+                                                 const CoarseSolver& coarse = {});
 
 /// The static half alone, for those who need no operators.
 std::shared_ptr<const transfer::StaticScene> makeStaticScene(const scene::Scene& scene);

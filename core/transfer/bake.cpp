@@ -131,6 +131,40 @@ void fillInvalid(const FirstHits& first, Operators& operators) {
   }
 }
 
+/// Light that is there at once: so many texels, and a quarter of the rays.
+constexpr int kFirstTexels = 12000;
+
+BakeSettings firstSettings(const BakeSettings& settings) {
+  BakeSettings first = settings;
+  first.texels = kFirstTexels;
+  first.most_cell = 1e30;  // however large the building
+  first.node_rays = std::max(2, settings.node_rays / 2);
+  return first;
+}
+
+/// Texels and nodes. hits: of the texels' rays.
+std::shared_ptr<Operators> bakeNodes(const StaticScene& scene, const BakeSettings& settings,
+                                     const Job& job, FirstHits& hits, BakeCounts& tally) {
+  Clock clock;
+  auto operators = std::make_shared<Operators>();
+  job.report("laying out texels", 0.0);
+  operators->texels = layTexels(scene, settings);
+  tally.texel_seconds += clock.lap();
+  hits = traceFirst(scene, settings, job, *operators);
+  if (job.cancelled()) return nullptr;
+  fillInvalid(hits, *operators);
+  for (std::size_t s = 0; s < operators->sends.size(); ++s)
+    operators->sends[s] *= operators->area[s];
+  const int rays = settings.node_rays * settings.node_rays;
+  tally.rays +=
+      static_cast<std::uint64_t>(operators->texels.texelCount()) * static_cast<std::uint64_t>(rays);
+  operators->nodes = makeNodes(operators->texels, operators->area, settings.patch);
+  fillNodeMatrix(operators->nodes, operators->area, hits.slots, rays);
+  operators->coarse = true;
+  tally.node_seconds += clock.lap();
+  return operators;
+}
+
 }  // namespace
 
 std::size_t Operators::bytes() const {
@@ -145,30 +179,27 @@ Result<std::shared_ptr<const Operators>> bake(const StaticScene& scene,
   const Error cancelled{"bake", "cancelled", ""};
   Clock clock;
   BakeCounts tally;
-  auto operators = std::make_shared<Operators>();
   if (scene.mesh->triangles.empty()) {
     // Light in free space: nothing reflects.
-    operators->coarse = true;
+    auto none = std::make_shared<Operators>();
+    none->coarse = true;
     if (counts != nullptr) *counts = tally;
-    return std::shared_ptr<const Operators>(operators);
+    return std::shared_ptr<const Operators>(none);
   }
-  job.report("laying out texels", 0.0);
-  operators->texels = layTexels(scene, settings);
-  tally.texel_seconds = clock.lap();
-  const FirstHits first = traceFirst(scene, settings, job, *operators);
-  if (job.cancelled()) return cancelled;
-  fillInvalid(first, *operators);
-  for (std::size_t s = 0; s < operators->sends.size(); ++s)
-    operators->sends[s] *= operators->area[s];
-  const int rays = settings.node_rays * settings.node_rays;
-  tally.rays +=
-      static_cast<std::uint64_t>(operators->texels.texelCount()) * static_cast<std::uint64_t>(rays);
-  operators->nodes = makeNodes(operators->texels, operators->area, settings.patch);
-  fillNodeMatrix(operators->nodes, operators->area, first.slots, rays);
-  operators->coarse = true;
-  tally.node_seconds = clock.lap();
-  tally.first_result_seconds = clock.seconds();
+  FirstHits first;
+  if (coarse && settings.texels > 3 * kFirstTexels) {
+    const auto quick = bakeNodes(scene, firstSettings(settings), job, first, tally);
+    if (quick == nullptr) return cancelled;
+    tally.first_result_seconds = clock.seconds();
+    coarse(quick);
+  }
+  const auto operators = bakeNodes(scene, settings, job, first, tally);
+  if (operators == nullptr) return cancelled;
+  tally.coarse_seconds = clock.seconds();
+  if (tally.first_result_seconds == 0.0) tally.first_result_seconds = tally.coarse_seconds;
   if (coarse) coarse(std::make_shared<const Operators>(*operators));
+  const int rays = settings.node_rays * settings.node_rays;
+  clock.lap();
   const TrainingFields fields =
       makeTrainingFields(scene, *operators, first.slots, rays, settings, job);
   if (job.cancelled()) return cancelled;

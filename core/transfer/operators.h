@@ -78,13 +78,15 @@ struct Operators {
 
 struct BakeCounts {
   double seconds = 0.0;
-  double first_result_seconds = 0.0;
+  double first_result_seconds = 0.0;  ///< until the first coarse result, or the only one
+  double coarse_seconds = 0.0;        ///< until that with all texels
   std::uint64_t rays = 0;
   double texel_seconds = 0, node_seconds = 0, training_seconds = 0, field_seconds = 0,
          list_seconds = 0;
 };
 
-/// Called with the coarse operators as soon as they are there.
+/// Called with coarse operators as soon as they are there: where many texels are wished first with
+/// few, then with all.
 using CoarseResult = std::function<void(std::shared_ptr<const Operators>)>;
 
 /// Bakes. Errors: cancelled. Deterministic for equal settings, whatever the thread count.

@@ -32,12 +32,7 @@ void SolverBake::run(bool use_cache, ProgressObserver* observer, const Done& don
     return;
   }
   const Job job{observer, stop};
-  // The coarse operators come before makeSolver() has handed over the geometry that belongs to
-  // them: they get a static scene of their own, equal to the bake's.
-  const auto on_coarse = [&](const std::shared_ptr<const transfer::Operators>& operators) {
-    if (stop.stop_requested()) return;
-    auto solver = std::make_shared<relight::Solver>(relight::makeStaticScene(*scene_), operators,
-                                                    scene_->materials);
+  const auto on_coarse = [&](std::shared_ptr<const relight::Solver> solver) {
     done(Outcome{std::move(solver), scene_, true, {}});
   };
   relight::EngineReport report;

@@ -188,6 +188,24 @@ TEST(Bake, TheCoarseResultComesFirst) {
   EXPECT_FALSE((*result)->coarse);
 }
 
+TEST(Bake, OfManyTexelsFewComeFirst) {
+  std::vector<std::size_t> counts;
+  std::stop_source stop;
+  BakeSettings many = settings();
+  many.texels = 40000;
+  many.least_cell = 0.01;
+  const auto result =
+      bake(*sceneOf(blockRoom()), many, {nullptr, stop.get_token()}, [&](const auto& coarse) {
+        EXPECT_TRUE(coarse->coarse);
+        counts.push_back(coarse->texels.texelCount());
+        if (counts.size() == 2) stop.request_stop();
+      });
+  EXPECT_FALSE(result.ok());
+  ASSERT_EQ(counts.size(), 2U);
+  EXPECT_LT(3 * counts[0], counts[1]);
+  EXPECT_GT(counts[0], 8000U);
+}
+
 TEST(Training, FieldsAreDeterministicFiniteAndOfMeanOne) {
   const auto scene = sceneOf(blockRoom());
   Operators op;
@@ -222,7 +240,8 @@ TEST(Training, FieldsAreDeterministicFiniteAndOfMeanOne) {
   }
   // Single precision. The last field is even light, of three times the others' weight.
   for (std::size_t t = 0; t + 1 < count; ++t) EXPECT_NEAR(mean[t] / area, 1.0, 1e-4);
-  for (std::size_t slot = 0; slot < op.area.size(); ++slot) ASSERT_EQ(a.value[slot * count + count - 1], 3.0F);
+  for (std::size_t slot = 0; slot < op.area.size(); ++slot)
+    ASSERT_EQ(a.value[slot * count + count - 1], 3.0F);
   s.seed = 9;
   EXPECT_NE(makeTrainingFields(*scene, op, hits, 16, s, {}).value, a.value);
 }
