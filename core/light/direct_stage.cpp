@@ -71,6 +71,7 @@ class Stage {
         blockers_(blockers),
         bodies_(options.bodies),
         changed_(options.changed),
+        kept_(options.kept),
         epsilon_(options.epsilon),
         lux_(lux) {
     const Emitter& e = light.emitter();
@@ -89,7 +90,10 @@ class Stage {
       std::fill(lux_.begin() + c.begin, lux_.begin() + c.end, 0.0F);
       return false;
     }
-    if (keeps(c.bounds)) return anyLight(c.begin, c.end);
+    if (keeps(c.bounds)) {
+      markKept(c.begin, c.end);
+      return anyLight(c.begin, c.end);
+    }
     counts.points += c.used;
     collect(c.bounds, scratch);
     if (scratch.cluster.empty()) ++counts.clusters_clear;
@@ -100,6 +104,7 @@ class Stage {
       const BlockerLanes& candidates = narrowed(begin, end, scratch);
       for (std::uint32_t slot = begin; slot < end; slot += Receivers::kGroup) {
         if (keeps(receivers_.groups[slot / Receivers::kGroup])) {
+          markKept(slot, slot + Receivers::kGroup);
           lit = lit || anyLight(slot, slot + Receivers::kGroup);
           continue;
         }
@@ -121,6 +126,12 @@ class Stage {
     if (changed_.empty()) return false;
     const Shaft shaft = shaftTo(b);
     return std::ranges::none_of(changed_, [&](const Box& box) { return shaft.touches(box); });
+  }
+
+  void markKept(std::uint32_t begin, std::uint32_t end) const {
+    if (kept_.empty()) return;
+    std::fill(kept_.begin() + begin / Receivers::kGroup, kept_.begin() + end / Receivers::kGroup,
+              1);
   }
 
   [[nodiscard]] bool anyLight(std::uint32_t begin, std::uint32_t end) const {
@@ -332,6 +343,7 @@ class Stage {
   const Blockers& blockers_;
   Blockers bodies_;
   std::span<const Box> changed_;
+  std::span<std::uint8_t> kept_;
   float epsilon_;
   std::span<float> lux_;
   bool one_sided_ = false;

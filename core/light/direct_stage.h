@@ -31,6 +31,8 @@ struct DirectOptions {
   /// Where anything changed that may block: groups whose ways to the light touch none of these
   /// boxes keep the lux that they have. Empty: all are computed.
   std::span<const Box> changed;
+  /// Per group, or empty: becomes 1 where it kept its lux.
+  std::span<std::uint8_t> kept;
 };
 
 /// lux[slot] = illuminance at dimming 1 (Y of the colour = 1) for every slot of `receivers`;

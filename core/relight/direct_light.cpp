@@ -115,10 +115,11 @@ void directLight(const transfer::StaticScene& scene, const light::PreparedLight&
                  const light::Receivers& receivers, std::span<const light::MaskBlocker> bodies,
                  std::span<float> lux, std::span<std::uint8_t> lit, light::DirectCounts* counts,
                  std::span<const Box> changed) {
-  if (scene.panes != nullptr) changed = {};
-  light::directIlluminance(light, receivers, scene.blockers,
-                           {.epsilon = scene.epsilon, .bodies = bodies, .changed = changed}, lux,
-                           lit, counts);
+  std::vector<std::uint8_t> kept(scene.panes == nullptr ? 0 : receivers.groups.size());
+  light::directIlluminance(
+      light, receivers, scene.blockers,
+      {.epsilon = scene.epsilon, .bodies = bodies, .changed = changed, .kept = kept}, lux, lit,
+      counts);
   if (scene.panes == nullptr) return;
   const Behind behind = clustersBehindGlass(scene, light.emitter(), receivers, lit);
   if (behind.clusters.empty()) return;
@@ -127,12 +128,14 @@ void directLight(const transfer::StaticScene& scene, const light::PreparedLight&
   std::vector<float> beside(behind.receivers.slotCount());
   std::vector<std::uint8_t> beside_lit(behind.clusters.size());
   light::directIlluminance(light, behind.receivers, scene.blockers,
-                           {.epsilon = scene.epsilon, .bodies = blockers}, beside, beside_lit);
+                           {.epsilon = scene.epsilon, .bodies = blockers, .changed = changed},
+                           beside, beside_lit);
   parallelFor(behind.clusters.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const light::Receivers::Cluster& whole = receivers.clusters[behind.clusters[i]];
       const std::uint32_t from = behind.receivers.clusters[i].begin;
       for (std::uint32_t s = whole.begin; s < whole.end; ++s) {
+        if (kept[s / light::Receivers::kGroup] != 0) continue;  // seen through glass already
         const float clear = beside[from + s - whole.begin];
         // What differs by rounding alone did not come through glass.
         if (lux[s] - clear <= 1.0e-6F * lux[s]) continue;

@@ -19,8 +19,7 @@ namespace soffit::relight {
 /// a pane's are computed twice. tau is smooth over the light; 16 points leave below 1e-3 of E
 /// unless the light is within its own size of the receiver at grazing incidence on the pane.
 ///
-/// lux, lit, changed, counts: as directIlluminance() has them; with glass everything is computed
-/// whatever changed.
+/// lux, lit, changed, counts: as directIlluminance() has them.
 void directLight(const transfer::StaticScene& scene, const light::PreparedLight& light,
                  const light::Receivers& receivers, std::span<const light::MaskBlocker> bodies,
                  std::span<float> lux, std::span<std::uint8_t> lit,

@@ -151,6 +151,31 @@ TEST(Hand, OfAMovingBodyOnlyItsShadowsAreComputedAnew) {
   EXPECT_LT(with_body.points, alone.points + alone.points / 2);
 }
 
+TEST(Hand, ABodyMovesBesideGlass) {
+  auto mesh = blockRoom();
+  addQuad(*mesh, {0, 3, 0}, {4, 3, 0}, {4, 3, 3}, {0, 3, 3}, 1);
+  mesh->materials = {"walls", "glass"};
+  std::vector<scene::Material> materials(2);
+  materials[0].diffuse = dvec3(0.5);
+  materials[1].glass = scene::Glass{1.52, 0.8};
+  const auto scene = transfer::makeStaticScene(mesh, {}, daylight::Panes::make(*mesh, materials));
+  auto operators = transfer::bake(*scene, quickSettings(), {}, {});
+  ASSERT_TRUE(operators.ok());
+  const auto solver = std::make_shared<const Solver>(scene, *operators, materials);
+  auto luminaires = fourPanels();
+  luminaires[2].casts_shadow = true;
+  luminaires[2].shape = light::Rectangle{0.9, 0.7};
+  Lighting lighting(solver);
+  ASSERT_TRUE(lighting.setLuminaires(luminaires).ok());
+  lighting.grab(2);
+  luminaires[2].position += dvec3(-0.5, -0.4, -0.3);
+  (void)lighting.move(emittersOf(luminaires, {2}));
+  ASSERT_TRUE(lighting.setLuminaires(luminaires).ok());
+  Lighting fresh(solver);
+  ASSERT_TRUE(fresh.setLuminaires(luminaires).ok());
+  EXPECT_EQ(lighting.total(), fresh.total());
+}
+
 TEST(Hand, TheSunsShadowOfABodyFollowsWhenItIsLetGo) {
   // A room without its ceiling.
   auto mesh = emptyMesh();
