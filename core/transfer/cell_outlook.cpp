@@ -24,6 +24,17 @@ class Places {
   void look(std::size_t i, CellOutlook& out) const {
     out.point = cut_.cells[i].point;
     out.cover = at(out.point);
+    lookAround(i, out);
+  }
+
+  /// The middle is known to be in matter after all.
+  void lookPastMatter(std::size_t i, CellOutlook& out) const {
+    out.cover = Cover::matter;
+    lookAround(i, out);
+  }
+
+ private:
+  void lookAround(std::size_t i, CellOutlook& out) const {
     if (out.cover == Cover::none || cut_.cells[i].area < full_) return;
     std::array<vec3, 4> points;
     std::array<Cover, 4> covers{};
@@ -43,7 +54,6 @@ class Places {
                                                 covers.begin())];
   }
 
- private:
   [[nodiscard]] Cover at(const vec3& p) const {
     return coverOf(mesh_, sides_, caster_, p, normal_, gap_);
   }
@@ -104,23 +114,48 @@ std::vector<CellOutlook> lookFromCells(const geometry::Mesh& mesh,
     directions[k] = d.x * chart.t + d.y * chart.b + d.z * n;
   }
   std::vector<CellOutlook> out(cut.cells.size());
+  const auto read = [&](std::span<const geometry::Hit> hits, CellOutlook& cell) {
+    int inside = 0;
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      const bool met = hits[k].valid();
+      const float share = met ? hits[k].t / (hits[k].t + scale) : 1.0F;
+      cell.distance[k] = static_cast<std::uint8_t>(std::lround(255.0F * share));
+      if (met && meetsInside(mesh, sides, hits[k].triangle, directions[k])) ++inside;
+    }
+    return inside > 1;
+  };
   parallelFor(out.size(), 256, [&](std::size_t begin, std::size_t end) {
     std::vector<geometry::Ray> rays;
     std::vector<std::size_t> of;
+    const auto aim = [&](std::size_t i) {
+      const vec3 origin = geometry::offsetOrigin(out[i].point, n);
+      for (const vec3& d : directions) rays.push_back({origin, 0.0F, d});
+    };
     for (std::size_t i = begin; i < end; ++i) {
       if (cut.cells[i].area <= 0.0) continue;
       places.look(i, out[i]);
       if (out[i].cover == Cover::matter) continue;
       of.push_back(i);
-      const vec3 origin = geometry::offsetOrigin(out[i].point, n);
-      for (const vec3& d : directions) rays.push_back({origin, 0.0F, d});
+      aim(i);
     }
     std::vector<geometry::Hit> hits(rays.size());
     caster.closest(rays, hits);
-    for (std::size_t r = 0; r < rays.size(); ++r) {
-      const float share = hits[r].valid() ? hits[r].t / (hits[r].t + scale) : 1.0F;
-      out[of[r / directions.size()]].distance[r % directions.size()] =
-          static_cast<std::uint8_t>(std::lround(255.0F * share));
+    std::vector<std::size_t> again;
+    for (std::size_t k = 0; k < of.size(); ++k) {
+      if (!read({&hits[k * directions.size()], directions.size()}, out[of[k]])) continue;
+      // One ray along the normal said otherwise: where a slab's end lies against a wall, it may
+      // meet either of the two faces that coincide.
+      places.lookPastMatter(of[k], out[of[k]]);
+      if (out[of[k]].cover != Cover::matter) again.push_back(of[k]);
+    }
+    rays.clear();
+    for (const std::size_t i : again) aim(i);
+    hits.resize(rays.size());
+    caster.closest(rays, hits);
+    for (std::size_t k = 0; k < again.size(); ++k) {
+      if (read({&hits[k * directions.size()], directions.size()}, out[again[k]])) {
+        out[again[k]].cover = Cover::matter;
+      }
     }
   });
   findOpenings(caster, n, cut, out);

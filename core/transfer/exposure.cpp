@@ -9,6 +9,16 @@
 
 namespace soffit::transfer {
 
+bool meetsInside(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
+                 std::uint32_t triangle, const vec3& direction) {
+  if (sides[triangle] == kBothSides) return false;
+  const uvec3& c = mesh.triangles[triangle];
+  const vec3& a = mesh.positions[c.x];
+  const vec3 normal = glm::cross(mesh.positions[c.y] - a, mesh.positions[c.z] - a);
+  const Sides met = glm::dot(normal, direction) < 0.0F ? kFront : kBack;
+  return (sides[triangle] & met) == 0;
+}
+
 Cover coverOf(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
               const geometry::RayCaster& caster, const vec3& p, const vec3& n, float gap) {
   vec3 t;
@@ -18,13 +28,7 @@ Cover coverOf(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
   const vec3 direction = glm::normalize(n + 0.013F * t + 0.007F * b);
   const geometry::Hit hit = caster.closest({geometry::offsetOrigin(p, n), 0.0F, direction});
   if (!hit.valid()) return Cover::none;
-  if (sides[hit.triangle] != kBothSides) {
-    const uvec3& c = mesh.triangles[hit.triangle];
-    const vec3& a = mesh.positions[c.x];
-    const vec3 normal = glm::cross(mesh.positions[c.y] - a, mesh.positions[c.z] - a);
-    const Sides met = glm::dot(normal, direction) < 0.0F ? kFront : kBack;
-    if ((sides[hit.triangle] & met) == 0) return Cover::matter;
-  }
+  if (meetsInside(mesh, sides, hit.triangle, direction)) return Cover::matter;
   return hit.t < gap ? Cover::gap : Cover::none;
 }
 

@@ -10,6 +10,10 @@
 
 namespace soffit::transfer {
 
+/// Whether a ray in this direction met a side that carries no light: the inside of a solid.
+bool meetsInside(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
+                 std::uint32_t triangle, const vec3& direction);
+
 /// What stands over a point of a surface, by a ray along its normal.
 enum class Cover : std::uint8_t {
   none,

@@ -63,6 +63,25 @@ TEST(Exposure, AFloorCountsWithoutTheFootprint) {
   }
 }
 
+TEST(Exposure, NothingOfAWallIsLeftWithinASlabThatEndsAtIt) {
+  // A ceiling from wall to wall: its ends coincide with the walls, and a ray that runs through the
+  // slab meets either.
+  const auto scene = roomWith({0, 0, 2.0F}, {4, 3, 2.06F});
+  for (const double cell : {0.21, 0.13, 0.087}) {
+    const Texels texels = makeTexels(*scene->mesh, scene->sides, cell, &scene->caster);
+    double within = 0.0;
+    double below = 0.0;
+    for (std::size_t s = 0; s < texels.slotCount(); ++s) {
+      const vec3 p = texels.receivers.position(s);
+      if (std::abs(texels.receivers.normal(s).z) > 0.1F) continue;
+      if (p.z > 2.0F && p.z < 2.06F) within += static_cast<double>(texels.area[s]);
+      if (p.z < 2.0F) below += static_cast<double>(texels.area[s]);
+    }
+    EXPECT_EQ(within, 0.0) << cell;
+    EXPECT_NEAR(below, 28.0, 28.0 * cell / 4 / 2.0) << cell;  // up to a row of samples
+  }
+}
+
 TEST(Exposure, PointsOfWhatIsLeftLieInTheOpen) {
   const auto scene = roomWith({1.03F, 1.02F, -0.002F}, {2.21F, 1.87F, 0.8F});
   const Texels texels = makeTexels(*scene->mesh, scene->sides, 0.2, &scene->caster);

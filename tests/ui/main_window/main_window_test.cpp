@@ -62,7 +62,8 @@ class MainWindowTest : public QObject {
     window_ = std::make_unique<MainWindow>();
     window_->show();
     QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    QApplication::setActiveWindow(window_.get());  // no window manager does; shortcuts want it
+    window_->activateWindow();  // no window manager does; shortcuts want it
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
     window_->open(project_);
     QTRY_VERIFY_WITH_TIMEOUT(window_->session() != nullptr, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(lit(), kPatienceMs);
