@@ -18,7 +18,9 @@ const std::vector<AddCommand>& commands() {
       addVerifyCommand,
       addBenchCommand,
       addMoveCommand,
-      [](CLI::App& app, Session& session) { addRenderCommand(app, session, pictureLight(session)); },
+      [](CLI::App& app, Session& session) {
+        addRenderCommand(app, session, pictureLight(session));
+      },
   };
   return list;
 }

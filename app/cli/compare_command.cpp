@@ -144,13 +144,11 @@ Result<void> runCompare(CompareArguments arguments, Session& session) {
                          const std::shared_ptr<const relight::Lighting>& lighting) -> Result<void> {
     return album.take((*variants)[i], layouts[i].name, lighting, job);
   };
-  const auto figures =
-      design::compareLayouts(engine->solver, first.scene.work_planes, layouts,
-                             engine->quality.sensor_rays, arguments.common.seed, job,
-                             pictures ? design::LayoutVisitor(visit) : design::LayoutVisitor(),
-                             first.scene.environment
-                                 ? std::make_shared<daylight::Environment>(*first.scene.environment)
-                                 : nullptr);
+  const auto figures = design::compareLayouts(
+      engine->solver, first.scene.work_planes, layouts, engine->quality.sensor_rays,
+      arguments.common.seed, job, pictures ? design::LayoutVisitor(visit) : design::LayoutVisitor(),
+      first.scene.environment ? std::make_shared<daylight::Environment>(*first.scene.environment)
+                              : nullptr);
   if (!figures) return figures.error();
   std::vector<std::string> files = album.files();
   if (!folder.empty()) {

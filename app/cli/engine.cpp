@@ -8,8 +8,8 @@
 
 namespace soffit::cli {
 
-Result<Engine> makeEngine(const io::Project& project, const CommonOptions& options, bool light, const Job& job,
-                          Session& session, const relight::CoarseSolver& coarse) {
+Result<Engine> makeEngine(const io::Project& project, const CommonOptions& options, bool light,
+                          const Job& job, Session& session, const relight::CoarseSolver& coarse) {
   Engine engine;
   auto quality = relight::qualitySettings(project.scene.quality);
   if (!quality) {
@@ -19,10 +19,12 @@ Result<Engine> makeEngine(const io::Project& project, const CommonOptions& optio
   }
   engine.quality = *quality;
   engine.quality.bake.seed = options.seed;
-  auto solver = relight::makeSolver(project.scene, engine.quality, !options.no_cache, job, engine.report, coarse);
+  auto solver = relight::makeSolver(project.scene, engine.quality, !options.no_cache, job,
+                                    engine.report, coarse);
   if (!solver) return solver.error();
   engine.solver = *solver;
-  session.warnings.insert(session.warnings.end(), engine.report.messages.begin(), engine.report.messages.end());
+  session.warnings.insert(session.warnings.end(), engine.report.messages.begin(),
+                          engine.report.messages.end());
   if (light) {
     engine.lighting = std::make_shared<relight::Lighting>(engine.solver);
     const auto set = engine.lighting->setLuminaires(project.scene.luminaires, job);
@@ -37,7 +39,8 @@ Result<Engine> makeEngine(const io::Project& project, const CommonOptions& optio
 }
 
 MakePictureLight pictureLight(Session& session) {
-  return [&session](const io::Project& project, const CommonOptions& options, const Job& job) -> Result<PictureLight> {
+  return [&session](const io::Project& project, const CommonOptions& options,
+                    const Job& job) -> Result<PictureLight> {
     auto engine = makeEngine(project, options, true, job, session);
     if (!engine) return engine.error();
     // The caster lives in the engine's static scene: share its ownership.
@@ -61,6 +64,8 @@ Result<std::vector<scene::Sensor>> sensorsFor(const io::Project& project, const 
   return sensors;
 }
 
-double lux(const dvec3& rgb) { return glm::dot(rgb, light::kLuminance); }
+double lux(const dvec3& rgb) {
+  return glm::dot(rgb, light::kLuminance);
+}
 
 }  // namespace soffit::cli

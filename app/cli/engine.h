@@ -16,13 +16,15 @@ struct Engine {
   relight::QualitySettings quality;
   relight::EngineReport report;
   std::shared_ptr<const relight::Solver> solver;
-  std::shared_ptr<relight::Lighting> lighting;  ///< of the project's luminaires; null when not asked for
+  std::shared_ptr<relight::Lighting>
+      lighting;  ///< of the project's luminaires; null when not asked for
 };
 
 /// Bakes or loads and, with `light`, computes all luminaires of the project's scene. The engine's
 /// messages go to session.warnings.
-Result<Engine> makeEngine(const io::Project& project, const CommonOptions& options, bool light, const Job& job,
-                          Session& session, const relight::CoarseSolver& coarse = {});
+Result<Engine> makeEngine(const io::Project& project, const CommonOptions& options, bool light,
+                          const Job& job, Session& session,
+                          const relight::CoarseSolver& coarse = {});
 
 /// The seam of `soffit render`.
 MakePictureLight pictureLight(Session& session);

@@ -33,10 +33,10 @@ Result<void> runImport(const ImportOptions& options, Session& session) {
   session.warnings = project->warnings;
   const scene::Scene& scene = project->scene;
   // The size tells at a glance whether the unit and the axis were right.
-  return writeResult(
-      "", fmt::format("{}: {}, {} cameras, {} work planes (soffit info tells more)\n",
-                      project->path.string(), io::describeModel(io::sizeOf(scene)),
-                      scene.cameras.size(), scene.work_planes.size()));
+  return writeResult("",
+                     fmt::format("{}: {}, {} cameras, {} work planes (soffit info tells more)\n",
+                                 project->path.string(), io::describeModel(io::sizeOf(scene)),
+                                 scene.cameras.size(), scene.work_planes.size()));
 }
 
 }  // namespace

@@ -53,8 +53,11 @@ Result<void> runInfo(const CommonOptions& options) {
   if (!project) return project.error();
   const scene::Scene& scene = project->scene;
   const auto cost = costOf(scene);
-  InfoReport report{
-      scene::demandOf(scene), cost ? *cost : Cost(), {}, scene::materialAreas(scene), project->warnings};
+  InfoReport report{scene::demandOf(scene),
+                    cost ? *cost : Cost(),
+                    {},
+                    scene::materialAreas(scene),
+                    project->warnings};
   // What nothing can be computed with is still worth looking at.
   if (!cost) report.warnings.push_back(cost.error().message());
   const geometry::RayCaster caster(scene.mesh->positions, scene.mesh->triangles);

@@ -34,6 +34,7 @@ Result<void> LayoutPictures::prepare(const scene::Scene& scene) {
   picture_.display.display = scene.view.ocio_display;
   picture_.display.view = options_.view.empty() ? scene.view.ocio_view : options_.view;
   picture_.display.look = scene.view.ocio_look;
+  finishAsProject(scene.view, picture_);
   const auto transform = color::DisplayTransform::create(picture_.display);
   if (!transform) return transform.error();
   return {};
@@ -62,6 +63,7 @@ Result<void> LayoutPictures::take(const io::Project& variant, const std::string&
       picture_.exposure_ev = color::autoExposure(film->radiance);
       auto_exposure_ = false;
     }
+    if (!picture_.adapted_to) picture_.adapted_to = color::pictureLuminance(film->radiance);
     // One scale for all layouts in false colour, too.
     if (!picture_.range) picture_.range = render::fittingRange(*film);
     const auto written = write(variant, layout, c, *film);
@@ -96,8 +98,8 @@ Result<void> LayoutPictures::write(const io::Project& variant, const std::string
   const auto difference = render::differencePicture(first_[camera], film,
                                                     {.range_lux = ranges_[camera], .title = title});
   if (!difference) return difference.error();
-  const auto difference_path =
-      folder_ / (io::fileNameOf(layout) + " minus " + io::fileNameOf(first_layout_) + suffix + ".png");
+  const auto difference_path = folder_ / (io::fileNameOf(layout) + " minus " +
+                                          io::fileNameOf(first_layout_) + suffix + ".png");
   io::WriteOptions how;
   how.metadata = {{"Project", project},
                   {"Layout", title},

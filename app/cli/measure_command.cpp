@@ -43,8 +43,8 @@ std::string toCsv(const std::vector<Row>& rows) {
   for (const Row& r : rows) {
     const dvec3& p = r.sensor.position;
     const dvec3& n = r.sensor.normal;
-    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", p.x, p.y, p.z, n.x, n.y,
-                        n.z, r.direct, r.indirect, r.direct + r.indirect);
+    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", p.x,
+                        p.y, p.z, n.x, n.y, n.z, r.direct, r.indirect, r.direct + r.indirect);
   }
   return text;
 }
@@ -60,12 +60,13 @@ io::Json toJson(const std::vector<Row>& rows, double seconds) {
 
 /// One line per work plane: mean, least and greatest lux and uniformity.
 std::string summary(const scene::Scene& scene, const std::vector<Row>& rows) {
-  std::string text = fmt::format("{:<24} {:>7} {:>9} {:>9} {:>9} {:>6}\n", "work plane", "points", "mean lx", "min lx",
-                                 "max lx", "U0");
+  std::string text = fmt::format("{:<24} {:>7} {:>9} {:>9} {:>9} {:>6}\n", "work plane", "points",
+                                 "mean lx", "min lx", "max lx", "U0");
   std::size_t at = 0;
   for (const scene::WorkPlane& plane : scene.work_planes) {
     std::vector<double> values;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(plane.nu) * static_cast<std::size_t>(plane.nv); ++k) {
+    for (std::size_t k = 0;
+         k < static_cast<std::size_t>(plane.nu) * static_cast<std::size_t>(plane.nv); ++k) {
       values.push_back(rows[at].direct + rows[at].indirect);
       ++at;
     }
@@ -78,8 +79,8 @@ std::string summary(const scene::Scene& scene, const std::vector<Row>& rows) {
       high = std::max(high, v);
     }
     const double mean = sum / static_cast<double>(values.size());
-    text += fmt::format("{:<24} {:>7} {:>9.1f} {:>9.1f} {:>9.1f} {:>6.2f}\n", plane.name, values.size(), mean, low,
-                        high, mean > 0.0 ? low / mean : 0.0);
+    text += fmt::format("{:<24} {:>7} {:>9.1f} {:>9.1f} {:>9.1f} {:>6.2f}\n", plane.name,
+                        values.size(), mean, low, high, mean > 0.0 ? low / mean : 0.0);
   }
   return text;
 }
@@ -98,14 +99,16 @@ Result<void> runMeasure(const MeasureArguments& arguments, Session& session) {
   const Job job = session.job(progress);
   const auto engine = makeEngine(*project, common, true, job, session);
   if (!engine) return engine.error();
-  const relight::Sensors prepared(*engine->solver, *sensors, *quantity, engine->quality.sensor_rays, common.seed);
+  const relight::Sensors prepared(*engine->solver, *sensors, *quantity, engine->quality.sensor_rays,
+                                  common.seed);
   const std::vector<relight::SensorLight> light = engine->lighting->read(prepared);
   std::vector<Row> rows;
   for (std::size_t i = 0; i < sensors->size(); ++i) {
     rows.push_back({(*sensors)[i], lux(light[i].direct), lux(light[i].indirect)});
   }
   progress.clear();
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (common.json) {
     // With -o the rows go to the file as CSV and the object to stdout.
     if (!common.output.empty()) {
@@ -113,14 +116,16 @@ Result<void> runMeasure(const MeasureArguments& arguments, Session& session) {
     }
     return writeResult("", io::formatJsonLine(toJson(rows, seconds)) + "\n");
   }
-  if (common.output.empty() && arguments.sensors.empty()) return writeResult("", summary(project->scene, rows));
+  if (common.output.empty() && arguments.sensors.empty())
+    return writeResult("", summary(project->scene, rows));
   return writeResult(common.output, toCsv(rows));
 }
 
 }  // namespace
 
 void addMeasureCommand(CLI::App& app, Session& session) {
-  CLI::App* command = app.add_subcommand("measure", "Illuminance in lux at sensors, or on the work planes");
+  CLI::App* command =
+      app.add_subcommand("measure", "Illuminance in lux at sensors, or on the work planes");
   auto arguments = std::make_shared<MeasureArguments>();
   addProjectArgument(*command, arguments->common);
   addLayoutOption(*command, arguments->common);

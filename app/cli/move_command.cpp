@@ -42,7 +42,8 @@ constexpr std::array<Stage, 5> kStages = {{{"direct", &relight::StageTimes::dire
 
 double quantile(std::vector<double> values, double q) {
   std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1, static_cast<std::size_t>(q * static_cast<double>(values.size())))];
+  return values[std::min(values.size() - 1,
+                         static_cast<std::size_t>(q * static_cast<double>(values.size())))];
 }
 
 std::string toCsv(const std::vector<Step>& steps) {
@@ -51,8 +52,8 @@ std::string toCsv(const std::vector<Step>& steps) {
   for (std::size_t i = 0; i < steps.front().lux.size(); ++i) text += fmt::format(",E{}", i);
   text += '\n';
   for (const Step& step : steps) {
-    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.4f}", step.position.x, step.position.y, step.position.z,
-                        step.times.total());
+    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.4f}", step.position.x, step.position.y,
+                        step.position.z, step.times.total());
     for (const Stage& s : kStages) text += fmt::format(",{:.4f}", step.times.*s.value);
     for (const double e : step.lux) text += fmt::format(",{:.9g}", e);
     text += '\n';
@@ -91,7 +92,8 @@ Result<void> runMove(const MoveArguments& arguments, Session& session) {
   relight::Lighting& lighting = *engine->lighting;
   std::optional<relight::Sensors> prepared;
   if (!sensors.empty()) {
-    prepared.emplace(*engine->solver, sensors, relight::Quantity::planar, engine->quality.sensor_rays, common.seed);
+    prepared.emplace(*engine->solver, sensors, relight::Quantity::planar,
+                     engine->quality.sensor_rays, common.seed);
   }
   lighting.grab(*index);
   light::Luminaire moving = project->scene.luminaires[*index];
@@ -115,7 +117,8 @@ Result<void> runMove(const MoveArguments& arguments, Session& session) {
     step.position = (*path)[k];
     step.times = lighting.move(*emitter, &counts);
     if (prepared) {
-      for (const auto& reading : lighting.read(*prepared)) step.lux.push_back(lux(reading.direct + reading.indirect));
+      for (const auto& reading : lighting.read(*prepared))
+        step.lux.push_back(lux(reading.direct + reading.indirect));
     }
     steps.push_back(std::move(step));
     progress.onProgress("moving", static_cast<double>(k + 1) / static_cast<double>(path->size()));
@@ -139,18 +142,20 @@ Result<void> runMove(const MoveArguments& arguments, Session& session) {
     io::Json stages = io::Json::object({});
     for (const auto& [name, value] : medians) stages[name] = value;
     return writeResult("", io::formatJsonLine(io::Json::object({{"receivers", receivers},
-                                             {"positions", steps.size()},
-                                             {"median_ms", quantile(ms, 0.5)},
-                                             {"p99_ms", quantile(ms, 0.99)},
-                                             {"stages_ms", stages},
-                                             {"rays", 0},
-                                             {"rays_avoided", avoided}})) + "\n");
+                                                                {"positions", steps.size()},
+                                                                {"median_ms", quantile(ms, 0.5)},
+                                                                {"p99_ms", quantile(ms, 0.99)},
+                                                                {"stages_ms", stages},
+                                                                {"rays", 0},
+                                                                {"rays_avoided", avoided}})) +
+                               "\n");
   }
   if (common.output.empty()) {
     if (const auto written = writeResult("", toCsv(steps)); !written) return written;
   }
-  std::string text = fmt::format("{} receivers, {} positions: median {:.2f} ms, 99th percentile {:.2f} ms (", receivers,
-                                 steps.size(), quantile(ms, 0.5), quantile(ms, 0.99));
+  std::string text =
+      fmt::format("{} receivers, {} positions: median {:.2f} ms, 99th percentile {:.2f} ms (",
+                  receivers, steps.size(), quantile(ms, 0.5), quantile(ms, 0.99));
   for (std::size_t i = 0; i < medians.size(); ++i) {
     text += fmt::format("{}{} {:.2f}", i == 0 ? "" : ", ", medians[i].first, medians[i].second);
   }
@@ -161,7 +166,8 @@ Result<void> runMove(const MoveArguments& arguments, Session& session) {
 }  // namespace
 
 void addMoveCommand(CLI::App& app, Session& session) {
-  CLI::App* command = app.add_subcommand("move", "Move one light along a path: milliseconds and lux per position");
+  CLI::App* command =
+      app.add_subcommand("move", "Move one light along a path: milliseconds and lux per position");
   auto arguments = std::make_shared<MoveArguments>();
   addProjectArgument(*command, arguments->common);
   addLayoutOption(*command, arguments->common);
@@ -169,7 +175,8 @@ void addMoveCommand(CLI::App& app, Session& session) {
   addComputeOptions(*command, arguments->common);
   addJsonOption(*command, arguments->common);
   addOutputOption(*command, arguments->common, "CSV file to write");
-  command->add_option("--luminaire", arguments->luminaire, "Name of the luminaire that moves")->required();
+  command->add_option("--luminaire", arguments->luminaire, "Name of the luminaire that moves")
+      ->required();
   command->add_option("--path", arguments->path, "Positions: CSV with x,y,z")->required();
   command->add_option("--sensors", arguments->sensors, "Sensors: CSV with x,y,z,nx,ny,nz");
   command->callback([&session, arguments] {

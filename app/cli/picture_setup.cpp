@@ -71,13 +71,17 @@ Result<std::optional<double>> parseExposure(const std::string& text, double from
                "Give for instance -0.5."};
 }
 
+void finishAsProject(const scene::View& view, render::PictureOptions& picture) {
+  picture.tone = {.key = view.tone_key, .white = view.tone_white};
+  picture.bloom = {.threshold = view.bloom_threshold, .strength = view.bloom_strength};
+}
+
 Result<std::unique_ptr<render::ViewScene>> makeViewScene(
     const scene::Scene& scene, std::shared_ptr<const geometry::RayCaster> caster) {
   const geometry::Mesh& mesh = *scene.mesh;
   if (caster == nullptr) {
     const auto panes = daylight::Panes::make(mesh, scene.materials);
-    caster = std::make_shared<const geometry::RayCaster>(
-        daylight::opaqueCaster(mesh, panes.get()));
+    caster = std::make_shared<const geometry::RayCaster>(daylight::opaqueCaster(mesh, panes.get()));
   }
   std::vector<light::Emitter> emitters;
   for (const light::Luminaire& luminaire : scene.luminaires) {

@@ -3,6 +3,7 @@
 
 #include "core/base/result.h"
 #include "core/geometry/ray_caster.h"
+#include "core/render/picture.h"
 #include "core/render/view_scene.h"
 #include "core/scene/scene.h"
 
@@ -24,6 +25,9 @@ Result<scene::Camera> chooseCamera(const scene::Scene& scene, const std::string&
 /// The exposure in EV: the project's when `text` is empty; nothing stands for "auto".
 /// Errors: neither a finite number nor "auto".
 Result<std::optional<double>> parseExposure(const std::string& text, double from_project);
+
+/// The project's tone settings and bloom.
+void finishAsProject(const scene::View& view, render::PictureOptions& picture);
 
 /// The scene with its luminaires placed. caster: over its mesh; made here when null.
 /// Errors: makeEmitter's.

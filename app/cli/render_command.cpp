@@ -32,6 +32,10 @@ struct RenderArguments {
   std::vector<double> range;
   bool logarithmic = false;
   std::string title;
+  std::optional<double> tone_key;
+  std::optional<double> tone_white;
+  std::optional<double> bloom;
+  std::optional<double> bloom_strength;
 };
 
 Result<render::PictureOptions> pictureOptions(const RenderArguments& arguments,
@@ -40,6 +44,11 @@ Result<render::PictureOptions> pictureOptions(const RenderArguments& arguments,
   picture.display.display = view.ocio_display;
   picture.display.view = arguments.view.empty() ? view.ocio_view : arguments.view;
   picture.display.look = view.ocio_look;
+  finishAsProject(view, picture);
+  if (arguments.tone_key) picture.tone.key = *arguments.tone_key;
+  if (arguments.tone_white) picture.tone.white = *arguments.tone_white;
+  if (arguments.bloom) picture.bloom.threshold = *arguments.bloom;
+  if (arguments.bloom_strength) picture.bloom.strength = *arguments.bloom_strength;
   picture.title = arguments.title;
   if (arguments.range.size() == 2) {
     picture.range =
@@ -129,7 +138,25 @@ void addRenderCommand(CLI::App& app, Session& session, MakePictureLight make) {
                       "Stops (EV), or auto; without it: the project's");
   command->add_option(
       "--ocio-view", arguments->view,
-      "View: Filmic, ACES, sRGB, Reinhard, \"False colour\"; without it: the project's");
+      "View: Filmic, ACES, sRGB, Reinhard, \"Reinhard 2002\", Tumblin-Rushmeier, \"False colour\"; "
+      "without it: the project's");
+  command
+      ->add_option(
+          "--tone-key", arguments->tone_key,
+          "Reinhard 2002: what the average becomes, 0.18 is mid grey; 0: as the picture asks")
+      ->check(CLI::Range(0.0, 100.0));
+  command
+      ->add_option(
+          "--tone-white", arguments->tone_white,
+          "Reinhard 2002: the smallest luminance that becomes white, in units of the key; 0: as "
+          "the picture asks")
+      ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option("--bloom", arguments->bloom,
+                   "Spread what is brighter than so many cd/m2; 0: none; without it: the project's")
+      ->check(CLI::Range(0.0, 1e9));
+  command->add_option("--bloom-strength", arguments->bloom_strength, "Share that is spread, 0 to 1")
+      ->check(CLI::Range(0.0, 1.0));
   command
       ->add_option("--range", arguments->range,
                    "False colour: MIN,MAX in lux; without it: what fits")

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/color/display_config.h"
 
+#include "core/color/display_transform.h"
 #include "core/color/ocio_config.h"
+#include "core/color/tone_operator.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <system_error>
 
@@ -58,7 +61,13 @@ Result<fs::path> findDisplayConfig() {
 Result<std::vector<std::string>> viewsOf(const fs::path& config, const std::string& display) {
   const Result<OcioConfig> loaded = loadConfig(config);
   if (!loaded) return loaded.error();
-  return viewNames(*loaded, display);
+  auto names = viewNames(*loaded, display);
+  if (names && std::ranges::find(*names, kPlainView) != names->end()) {
+    // Before false colour, which stands last.
+    const auto at = std::ranges::find(*names, kFalseColorView);
+    names->insert(at, {kReinhard2002View, kTumblinRushmeierView});
+  }
+  return names;
 }
 
 }  // namespace soffit::color

@@ -19,7 +19,9 @@ Result<std::filesystem::path> findResource(const std::filesystem::path& relative
 /// The OCIO config to use: $OCIO if set and not empty, else ocio/config.ocio of the resources.
 Result<std::filesystem::path> findDisplayConfig();
 
-/// The views of a display, in the config's order. Errors: unreadable config, unknown display.
+/// The views of a display, in the config's order, and those that adapt to the picture
+/// (tone_operator.h), which need the config's kPlainView. Errors: unreadable config, unknown
+/// display.
 Result<std::vector<std::string>> viewsOf(const std::filesystem::path& config,
                                          const std::string& display);
 

@@ -58,18 +58,26 @@ ShaderTable cubeTable(const Texture& shader, unsigned i) {
 }  // namespace
 
 Result<DisplayShader> makeDisplayShader(const DisplayChoice& choice) {
-  const auto config = loadConfigFor(choice.config, choice.display, choice.view, choice.look);
+  const auto kind = toneKindOf(choice.view);
+  const std::string view = kind ? kPlainView : choice.view;
+  const auto config = loadConfigFor(choice.config, choice.display, view, choice.look);
   if (!config) return config.error();
   try {
     const auto processor = std::static_pointer_cast<const ocio::Processor>(
-        viewProcessor(*config, choice.display, choice.view, choice.look));
+        viewProcessor(*config, choice.display, view, choice.look));
     ocio::GpuShaderDescRcPtr shader = ocio::GpuShaderDesc::CreateShaderDesc();
     shader->setLanguage(ocio::GPU_LANGUAGE_GLSL_1_3);
-    shader->setFunctionName("soffitView");
+    shader->setFunctionName(kind ? "soffitPlainView" : "soffitView");
     shader->setResourcePrefix("view_");
     processor->getOptimizedGPUProcessor(ocio::OPTIMIZATION_VERY_GOOD)->extractGpuShaderInfo(shader);
     DisplayShader made;
     made.text = shader->getShaderText();
+    made.adapts = kind.has_value();
+    if (kind) {
+      made.text += toneShader(*kind);
+      made.text +=
+          "vec4 soffitView(vec4 c) { return soffitPlainView(vec4(soffitTone(c.rgb), c.a)); }\n";
+    }
     for (unsigned i = 0; i < shader->getNumTextures(); ++i) {
       made.tables.push_back(flatTable(*shader, i));
     }

@@ -26,7 +26,10 @@ struct DisplayShader {
   /// Declares what it needs and defines `vec4 soffitView(vec4 color)`: the same function as
   /// DisplayTransform::apply(), up to the precision of the graphics card. Its input must be
   /// finite and not negative; its output is to be clamped to 0..1.
+  ///
+  /// Of a view that adapts it has the uniform vec2 `soffit_tone`: a and b of the ToneOperator.
   std::string text;
+  bool adapts = false;
   std::vector<ShaderTable> tables;
 };
 

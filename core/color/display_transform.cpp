@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 
 namespace soffit::color {
 namespace {
@@ -33,8 +34,12 @@ float clamped(float v) {
 struct DisplayTransform::Impl {
   OcioConfig config;  // keeps what the processor may refer to
   ocio::ConstCPUProcessorRcPtr processor;
+  std::optional<ToneOperator> tone;
 
   void run(vec3* pixels, std::size_t count) const {
+    if (tone) {
+      for (std::size_t i = 0; i < count; ++i) pixels[i] = tone->displayed(pixels[i]);
+    }
     ocio::PackedImageDesc image(pixels, static_cast<long>(count), 1, 3);
     processor->apply(image);
     for (std::size_t i = 0; i < count; ++i) {
@@ -45,14 +50,20 @@ struct DisplayTransform::Impl {
 };
 
 Result<DisplayTransform> DisplayTransform::create(const DisplayChoice& choice) {
-  auto config = loadConfigFor(choice.config, choice.display, choice.view, choice.look);
+  const auto kind = toneKindOf(choice.view);
+  const std::string view = kind ? kPlainView : choice.view;
+  auto config = loadConfigFor(choice.config, choice.display, view, choice.look);
   if (!config) return config.error();
   const std::string path = config->path;
   try {
     auto impl = std::make_shared<Impl>();
-    const auto view = std::static_pointer_cast<const ocio::Processor>(
-        viewProcessor(*config, choice.display, choice.view, choice.look));
-    impl->processor = view->getOptimizedCPUProcessor(ocio::OPTIMIZATION_VERY_GOOD);
+    const auto processor = std::static_pointer_cast<const ocio::Processor>(
+        viewProcessor(*config, choice.display, view, choice.look));
+    impl->processor = processor->getOptimizedCPUProcessor(ocio::OPTIMIZATION_VERY_GOOD);
+    if (kind) {
+      impl->tone = choice.tone;
+      impl->tone->kind = *kind;
+    }
     impl->config = std::move(*config);
     DisplayTransform made;
     made.impl_ = std::move(impl);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/color/tone_operator.h"
 #include "core/math/vec.h"
 
 #include <filesystem>
@@ -21,6 +22,8 @@ struct DisplayChoice {
   std::string display = "sRGB";
   std::string view = "Filmic";
   std::string look;  ///< empty: none
+  /// Of the views that adapt (toneKindOf()): for the picture that is shown. Others do not read it.
+  ToneOperator tone;
 
   friend bool operator==(const DisplayChoice&, const DisplayChoice&) = default;
 };
@@ -31,7 +34,8 @@ struct DisplayChoice {
 /// code values of the display, 0..1.
 class DisplayTransform {
  public:
-  /// Errors: no config, unreadable config, a display, view or look that it lacks.
+  /// Errors: no config, unreadable config, a display, view or look that it lacks; for a view that
+  /// adapts: a config without kPlainView.
   static Result<DisplayTransform> create(const DisplayChoice& choice);
 
   /// In place, on all threads. Never gives NaN: what is not a number or negative counts as black,

@@ -59,10 +59,17 @@ Result<scene::Image> developPicture(const Film& film, const PictureOptions& opti
     image = toImage(film, falseColors(film, range));
     if (options.legend) drawLegend(image, range);
   } else {
-    const auto transform = color::DisplayTransform::create(options.display);
+    color::DisplayChoice choice = options.display;
+    if (const auto kind = color::toneKindOf(choice.view)) {
+      choice.tone = color::makeToneOperator(
+          *kind, options.adapted_to.value_or(color::pictureLuminance(film.radiance)), options.tone);
+    }
+    const auto transform = color::DisplayTransform::create(choice);
     if (!transform) return transform.error();
+    std::vector<vec3> radiance = film.radiance;
+    addBloom(radiance, film.width, film.height, options.bloom);
     std::vector<vec3> pixels(film.count());
-    transform->apply(film.radiance, options.exposure_ev, pixels);
+    transform->apply(radiance, options.exposure_ev, pixels);
     image = toImage(film, pixels);
   }
   drawTitle(image, options.title);

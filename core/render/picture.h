@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/color/display_transform.h"
 #include "core/color/false_color.h"
+#include "core/render/bloom.h"
 #include "core/render/film.h"
 #include "core/scene/material.h"
 
@@ -17,6 +18,10 @@ namespace soffit::render {
 struct PictureOptions {
   color::DisplayChoice display;  ///< the view `False colour` shows lux instead of luminance
   double exposure_ev = 0.0;      ///< false colour ignores it
+  color::ToneSettings tone;      ///< of the views that adapt
+  /// What those adapt to; absent: the film. Pictures that are compared share one.
+  std::optional<color::PictureLuminance> adapted_to;
+  Bloom bloom;  ///< false colour ignores it
   std::optional<color::FalseColorRange>
       range;           ///< false colour; absent: from 0 to what the picture holds
   bool legend = true;  ///< false colour

@@ -132,7 +132,9 @@ bool same(const WorkPlane& a, const WorkPlane& b) {
 
 bool same(const View& a, const View& b) {
   return a.exposure == b.exposure && a.ocio_display == b.ocio_display &&
-         a.ocio_view == b.ocio_view && a.ocio_look == b.ocio_look;
+         a.ocio_view == b.ocio_view && a.ocio_look == b.ocio_look && a.tone_key == b.tone_key &&
+         a.tone_white == b.tone_white && a.bloom_threshold == b.bloom_threshold &&
+         a.bloom_strength == b.bloom_strength;
 }
 
 bool same(const Quality& a, const Quality& b) {

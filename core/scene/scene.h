@@ -64,6 +64,10 @@ struct View {
   std::string ocio_display = "sRGB";
   std::string ocio_view = "Filmic";
   std::string ocio_look;
+  double tone_key = 0.0;         ///< of views that adapt: 0 as the picture asks (color::ToneSettings)
+  double tone_white = 0.0;       ///< the same
+  double bloom_threshold = 0.0;  ///< cd/m^2, 0: none (render::Bloom)
+  double bloom_strength = 0.1;   ///< 0..1
 };
 
 /// Named preset or single settings; unset members follow the preset.

@@ -59,6 +59,11 @@ ComparisonSession::ComparisonSession(Document& document, Relighting& relighting,
     thumbnails_.start();
   });
   connect(workspace_.view, &ViewPanel::lookChanged, this, &ComparisonSession::takeLook);
+  const auto adapt = [this] {
+    if (color::toneKindOf(workspace_.view->look().display.view)) takeLook();
+  };
+  connect(&workspace_.area->view(), &SceneView::lightShown, this, adapt);
+  connect(&workspace_.area->view(), &SceneView::cameraMoved, this, adapt, Qt::QueuedConnection);
   want();
 }
 
@@ -164,6 +169,10 @@ void ComparisonSession::takeLook() {
     look.difference = true;
     look.scale = {.range = {0.0, 2.0 * range_, false}};
     look.levels.clear();
+  }
+  // One eye looks at both.
+  if (color::toneKindOf(look.display.view)) {
+    look.adapted_to = workspace_.area->view().adaptation();
   }
   (void)comparison.second().setLook(look);
 }

@@ -3,6 +3,7 @@
 
 #include "core/color/display_config.h"
 #include "ui/document/text.h"
+#include "ui/panels/finish_fields.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -63,6 +64,12 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
   view_row->addWidget(view_, 1);
   view_row->addWidget(automatic);
   form->addRow(tr("View"), view_row);
+  finish_ = new FinishFields;
+  form->addRow(finish_);
+  connect(finish_, &FinishFields::edited, this,
+          [this](const QString& text, const FinishFields::Change& change, int merge_key) {
+            editView(text, change, merge_key);
+          });
   form->addRow(false_color_);
   auto* lines_row = new QHBoxLayout;
   lines_row->addWidget(isolines_);
@@ -151,6 +158,7 @@ void ViewPanel::refresh() {
   }
   exposure_->setValue(view.exposure);
   view_->setCurrentText(toQt(view.ocio_view));
+  finish_->showView(view);
   Q_EMIT lookChanged();
 }
 
@@ -162,6 +170,8 @@ Look ViewPanel::look() const {
     look.display.view = view.ocio_view;
     look.display.look = view.ocio_look;
     look.exposure_ev = view.exposure;
+    look.tone = {.key = view.tone_key, .white = view.tone_white};
+    look.bloom = {.threshold = view.bloom_threshold, .strength = view.bloom_strength};
     if (view.ocio_view == color::kFalseColorView) look.display.view = color::DisplayChoice{}.view;
   }
   look.false_color = false_color_->isChecked();

@@ -16,6 +16,8 @@ class QSlider;
 
 namespace soffit::ui {
 
+class FinishFields;
+
 /// What is shown of the light on work planes.
 struct PlaneLook {
   bool values = false;         ///< a number at each point
@@ -62,6 +64,7 @@ class ViewPanel : public QWidget {
   QSlider* exposure_slider_;
   QuantityBox* exposure_;
   QComboBox* view_;
+  FinishFields* finish_;
   QCheckBox* false_color_;
   QCheckBox* isolines_;
   QComboBox* lines_on_;

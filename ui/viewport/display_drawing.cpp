@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace soffit::ui {
 namespace {
@@ -38,6 +39,18 @@ uniform int level_count;
 uniform float levels[32];
 uniform float line_width;
 uniform float lamp;
+uniform int blooms;
+uniform float bloom_threshold;
+uniform float bloom_strength;
+uniform sampler2D bloom_spread;
+uniform vec2 part_from;
+uniform vec2 part_size;
+vec3 bloomed(vec3 c) {
+  if (blooms == 0) return c;
+  float y = dot(c, vec3(0.2126390059, 0.7151686788, 0.0721923154));
+  if (y > bloom_threshold) c -= bloom_strength * c * (1.0 - bloom_threshold / y);
+  return c + texture(bloom_spread, part_from + at * part_size).rgb;
+}
 vec3 cleaned(vec3 c) { return vec3(c.r > 0.0 ? min(c.r, 1.0e6) : 0.0, c.g > 0.0 ? min(c.g, 1.0e6) : 0.0,
                                    c.b > 0.0 ? min(c.b, 1.0e6) : 0.0); }
 float place(float lux) {
@@ -94,7 +107,7 @@ void main() {
     if (pixel.a < -1.5) shown = vec3(0.13);
     else if (pixel.a < -0.5) shown = vec3(lamp);
   } else {
-    shown = clamp(soffitView(vec4(cleaned(pixel.rgb * scale), 1.0)).rgb, 0.0, 1.0);
+    shown = clamp(soffitView(vec4(cleaned(bloomed(pixel.rgb) * scale), 1.0)).rgb, 0.0, 1.0);
   }
   if (level_count > 0 && pixel.a >= 0.0) {
     vec3 line = nextLine(pixel.a);
@@ -125,6 +138,43 @@ void main() { color = vec4(texture(source, at).rgb, opacity); }
 /// Lines as wide as the picture asks for: 1.5 pixels on a screen, more in a print.
 float lineWidth(int height) {
   return std::max(1.5F, static_cast<float>(height) / 700.0F);
+}
+
+/// What an eye adapts to is known from so many pixels.
+constexpr std::size_t kEnoughPixels = 120000;
+/// Light is spread in a picture of at most about so many pixels: some 20 ms on two cores.
+constexpr std::size_t kMostSpread = 300000;
+
+std::vector<vec3> colorsOf(const std::vector<float>& pixels) {
+  std::vector<vec3> colors(pixels.size() / 4);
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    colors[i] = {pixels[4 * i], pixels[4 * i + 1], pixels[4 * i + 2]};
+  }
+  return colors;
+}
+
+/// Means of squares of pixels, until they are few.
+void shrink(std::vector<vec3>& picture, int& width, int& height) {
+  const auto count = static_cast<double>(picture.size());
+  const int side = static_cast<int>(std::ceil(std::sqrt(count / kMostSpread)));
+  if (side <= 1) return;
+  const int columns = (width + side - 1) / side;
+  const int rows = (height + side - 1) / side;
+  std::vector<vec3> few(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
+                        vec3(0.0F));
+  std::vector<float> shares(few.size(), 0.0F);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto to = static_cast<std::size_t>(y / side * columns + x / side);
+      few[to] += picture[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                         static_cast<std::size_t>(x)];
+      shares[to] += 1.0F;
+    }
+  }
+  for (std::size_t i = 0; i < few.size(); ++i) few[i] /= shares[i];
+  picture = std::move(few);
+  width = columns;
+  height = rows;
 }
 
 bool sameView(const Look& a, const Look& b) {
@@ -170,7 +220,51 @@ void DisplayDrawing::drawTriangle() {
   glDepthMask(GL_TRUE);
 }
 
-void DisplayDrawing::draw(const GlTarget& scene_linear, int picture_height) {
+bool DisplayDrawing::learns() const {
+  if (look_.false_color) return false;
+  return (shader_.adapts && !look_.adapted_to) || look_.bloom.threshold > 0.0;
+}
+
+void DisplayDrawing::learn(const GlTarget& scene_linear) {
+  blooms_ = false;
+  if (look_.adapted_to) adaptation_ = *look_.adapted_to;
+  if (!learns()) return;
+  std::vector<vec3> picture = colorsOf(scene_linear.read());
+  if (!look_.adapted_to) {
+    adaptation_ = color::pictureLuminance(picture, picture.size() / kEnoughPixels + 1);
+  }
+  color::ShaderTable table;
+  table.dimensions = 2;
+  table.width = scene_linear.width();
+  table.height = scene_linear.height();
+  shrink(picture, table.width, table.height);
+  const auto spread = render::spreadLight(picture, table.width, table.height, look_.bloom);
+  if (spread.empty()) return;
+  for (const vec3& v : spread) table.values.insert(table.values.end(), {v.x, v.y, v.z});
+  spread_.release();
+  spread_.make(table);
+  blooms_ = true;
+}
+
+void DisplayDrawing::setFinish(const Part& part) {
+  if (shader_.adapts) {
+    const color::PictureLuminance& eye = look_.adapted_to ? *look_.adapted_to : adaptation_;
+    const color::ToneOperator tone =
+        color::makeToneOperator(*color::toneKindOf(look_.display.view), eye, look_.tone);
+    program_.set("soffit_tone", vec2(tone.a, tone.b));
+  }
+  program_.set("blooms", blooms_ ? 1 : 0);
+  if (!blooms_) return;
+  const int unit = static_cast<int>(tables_.size()) + 1;
+  spread_.bind(unit);
+  program_.set("bloom_spread", unit);
+  program_.set("bloom_threshold", static_cast<float>(look_.bloom.threshold));
+  program_.set("bloom_strength", static_cast<float>(look_.bloom.strength));
+  program_.set("part_from", part.from);
+  program_.set("part_size", part.size);
+}
+
+void DisplayDrawing::draw(const GlTarget& scene_linear, const Part& part) {
   build();
   glDisable(GL_BLEND);
   program_.use();
@@ -182,10 +276,11 @@ void DisplayDrawing::draw(const GlTarget& scene_linear, int picture_height) {
     program_.set(shader_.tables[i].sampler.c_str(), unit);
   }
   program_.set("scale", color::exposureScale(look_.exposure_ev));
+  setFinish(part);
   program_.set("false_color", look_.false_color ? 1 : 0);
   program_.set("range", vec2(dvec2(look_.scale.range.min, look_.scale.range.max)));
   program_.set("logarithmic", look_.scale.range.logarithmic ? 1 : 0);
-  setScale(picture_height > 0 ? picture_height : scene_linear.height());
+  setScale(part.picture_height > 0 ? part.picture_height : scene_linear.height());
   drawTriangle();
 }
 
@@ -231,6 +326,8 @@ void DisplayDrawing::copy(const GlTarget& picture, float opacity) {
 void DisplayDrawing::release() {
   for (GlTexture& table : tables_) table.release();
   tables_.clear();
+  spread_.release();
+  blooms_ = false;
   program_.release();
   copy_program_.release();
   if (array_ != 0) glDeleteVertexArrays(1, &array_);

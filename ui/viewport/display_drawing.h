@@ -17,8 +17,23 @@ class DisplayDrawing {
   /// Errors (of makeDisplayShader) keep the view that was there.
   Result<void> setLook(const Look& look);
 
-  /// picture_height: of the whole picture, of which the target is a piece; 0: it is all of it.
-  void draw(const GlTarget& scene_linear, int picture_height = 0);
+  /// Where a target lies in its picture, x to the right, y up, both 0..1.
+  struct Part {
+    vec2 from{0.0F};
+    vec2 size{1.0F};
+    int picture_height = 0;  ///< pixels; 0: the target's
+  };
+  /// Learns from the whole picture, of any size, what the view adapts to and what light is spread
+  /// (render::spreadLight()); later draw()s show that. Costs nothing where the look asks for
+  /// neither.
+  void learn(const GlTarget& scene_linear);
+  /// Whether learn() does anything.
+  [[nodiscard]] bool learns() const;
+  /// What the view is adapted to.
+  [[nodiscard]] const color::PictureLuminance& adaptation() const { return adaptation_; }
+
+  void draw(const GlTarget& scene_linear, const Part& part);
+  void draw(const GlTarget& scene_linear) { draw(scene_linear, Part{}); }
   /// Copies a finished picture, scaled; opacity < 1 blends it over what is there.
   void copy(const GlTarget& picture, float opacity = 1.0F);
   void release();
@@ -26,6 +41,7 @@ class DisplayDrawing {
  private:
   void build();
   void setScale(int height);
+  void setFinish(const Part& part);
   void drawTriangle();
 
   Look look_;
@@ -34,6 +50,9 @@ class DisplayDrawing {
   GlProgram program_;
   GlProgram copy_program_;
   std::vector<GlTexture> tables_;
+  color::PictureLuminance adaptation_;
+  bool blooms_ = false;  ///< spread_ holds light
+  GlTexture spread_;
   unsigned array_ = 0;
 };
 

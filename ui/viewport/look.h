@@ -3,7 +3,9 @@
 
 #include "core/color/display_transform.h"
 #include "core/color/lux_scale.h"
+#include "core/render/bloom.h"
 
+#include <optional>
 #include <vector>
 
 namespace soffit::ui {
@@ -12,7 +14,11 @@ namespace soffit::ui {
 struct Look {
   color::DisplayChoice display;  ///< used unless false_color
   double exposure_ev = 0.0;      ///< ignored by false colour
-  bool false_color = false;      ///< illuminance by colour, on the scale
+  color::ToneSettings tone;      ///< of views that adapt (color::toneKindOf())
+  /// What those adapt to; absent: the picture. Views that are compared share one.
+  std::optional<color::PictureLuminance> adapted_to;
+  render::Bloom bloom;       ///< ignored by false colour
+  bool false_color = false;  ///< illuminance by colour, on the scale
   color::LuxScale scale;
   /// Isolux lines are drawn on all surfaces at these values, lux, ascending; empty: none.
   std::vector<double> levels;

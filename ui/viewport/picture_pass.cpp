@@ -79,6 +79,7 @@ void PicturePass::shoot(vtkRenderer* renderer, int width, int height) {
   const DrawnView view = drawnView(*renderer->GetActiveCamera(), aspect, cut_);
   building.setView(view.clip_from_scene, view.eye, view.cuts);
   building.draw(shift, vec3(0.0F));
+  if (sample_ == 0) display.learn(linear_);
   finished_.bind();
   display.draw(linear_);
   summed_ = false;

@@ -23,6 +23,7 @@ constexpr int kPieceWidth = 1024;
 constexpr int kPieceHeight = 640;
 /// Isolux lines look at the pixels about them.
 constexpr int kApron = 1;
+constexpr int kLearnedFrom = 512;  // pixels along the longer side
 /// The eye of a parallel view is very far away, m.
 constexpr double kFarEye = 1e5;
 
@@ -117,7 +118,10 @@ void PieceDrawing::drawSample(const Piece& piece, int sample) {
       2.0F * sampleOffset(sample) / vec2(piece.picture.width(), piece.picture.height());
   building_.draw(shift, vec3(0.0F));
   finished_.bind();
-  display_.draw(linear_, piece.picture.height());
+  const vec2 whole(piece.picture.width(), piece.picture.height());
+  display_.draw(linear_, {.from = vec2(piece.outer.x(), bottom) / whole,
+                          .size = vec2(piece.outer.width(), piece.outer.height()) / whole,
+                          .picture_height = piece.picture.height()});
   sum_.bind();
   display_.copy(finished_, 1.0F / static_cast<float>(sample + 1));
   glFinish();
@@ -161,6 +165,17 @@ void PieceDrawing::finish(const Piece& piece, Picture& picture) {
   }
 }
 
+/// A small picture of all tells what the view adapts to and what light is spread.
+void PieceDrawing::learnWhole(QSize size) {
+  if (!display_.learns()) return;
+  const QSize small = size.boundedTo(size.scaled(kLearnedFrom, kLearnedFrom, Qt::KeepAspectRatio));
+  linear_.resize(small.width(), small.height(), GlTarget::Format::linear_with_depth);
+  linear_.bind();
+  glViewport(0, 0, small.width(), small.height());
+  building_.draw(vec2(0.0F), vec3(0.0F));
+  display_.learn(linear_);
+}
+
 Result<Picture> PieceDrawing::draw(const Still& still, const Job& job) {
   const QSize size = still.shot.pixels;
   if (auto fits = checkSize(size); !fits) return fits.error();
@@ -169,6 +184,7 @@ Result<Picture> PieceDrawing::draw(const Still& still, const Job& job) {
   const int samples = still.shot.samples > 0
                           ? std::min(still.shot.samples, PicturePass::kMostSamples)
                           : PicturePass::kMostSamples;
+  learnWhole(size);
   Picture picture = emptyPicture(still.shot);
   const auto pieces = piecesOf(size, still.look.levels.empty() ? 0 : kApron);
   const double steps = static_cast<double>(pieces.size()) * samples;

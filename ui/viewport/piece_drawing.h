@@ -20,6 +20,7 @@ class PieceDrawing {
   struct Piece;
   [[nodiscard]] static std::vector<Piece> piecesOf(const QSize& size, int apron);
   void take(const Still& still);
+  void learnWhole(QSize size);
   void drawSample(const Piece& piece, int sample);
   void collect(const Still& still, const Piece& piece, int sample, float share,
                Picture& picture) const;

@@ -175,6 +175,10 @@ Result<void> SceneView::setLook(const Look& look) {
   return {};
 }
 
+color::PictureLuminance SceneView::adaptation() {
+  return pass().display.adaptation();
+}
+
 void SceneView::setViewCamera(const ViewCamera& camera) {
   view_ = camera;
   restart();

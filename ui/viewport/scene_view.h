@@ -50,6 +50,8 @@ class SceneView : public VtkView {
   void setHovered(const std::string& name);
   /// Errors: the view is unknown; the look stays as it was.
   Result<void> setLook(const Look& look);
+  /// What a view transform that adapts was adapted to in the last picture.
+  [[nodiscard]] color::PictureLuminance adaptation();
 
   [[nodiscard]] const Look& look() const { return look_; }
   [[nodiscard]] const LightFramePtr& frame() const { return frame_; }

@@ -37,6 +37,11 @@ constexpr std::array kUnits{Unit{"m", Dimension::length, 1.0},
                             Unit{"lux", Dimension::illuminance, 1.0},
                             Unit{"klx", Dimension::illuminance, 1000.0},
                             Unit{"fc", Dimension::illuminance, color::kLuxPerFootcandle},
+                            Unit{"cd/m\u00b2", Dimension::luminance, 1.0},
+                            Unit{"cd/m2", Dimension::luminance, 1.0},
+                            Unit{"kcd/m\u00b2", Dimension::luminance, 1000.0},
+                            Unit{"kcd/m2", Dimension::luminance, 1000.0},
+                            Unit{"nit", Dimension::luminance, 1.0},
                             Unit{"ev", Dimension::exposure, 1.0}};
 
 std::optional<double> factorOf(const QString& unit, Dimension dimension) {
@@ -71,6 +76,8 @@ QString unitOf(Dimension dimension) {
       return QStringLiteral("%");
     case Dimension::illuminance:
       return imperial ? QStringLiteral("fc") : QStringLiteral("lx");
+    case Dimension::luminance:
+      return QStringLiteral("cd/m\u00b2");
     case Dimension::exposure:
       return QStringLiteral("EV");
   }
@@ -80,8 +87,8 @@ QString unitOf(Dimension dimension) {
 std::optional<double> parseQuantity(QStringView text, Dimension dimension) {
   // Feet and inches are two terms of one length: 10' 6".
   static const QRegularExpression kTerm(
-      QStringLiteral(
-          "\\G\\s*([+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:e[+-]?\\d+)?)\\s*([a-z%\u00b0'\"]*)"),
+      QStringLiteral("\\G\\s*([+-]?(?:\\d+[.,]?\\d*|[.,]\\d+)(?:e[+-]?\\d+)?)\\s*(k?cd/"
+                     "m[2\u00b2]|[a-z%\u00b0'\"]*)"),
       QRegularExpression::CaseInsensitiveOption);
   QString cleaned = text.toString().toLower();
   cleaned.replace(QChar(0x2212), QLatin1Char('-'));  // a typographer's minus

@@ -17,10 +17,11 @@ enum class Dimension {
   temperature /* K */,
   share /* 0..1, shown in % */,
   illuminance /* lx */,
+  luminance /* cd/m2 */,
   exposure /* EV */
 };
 
-/// "m", "°", "lm", "K", "%", "lx", "EV"; "ft" and "fc" where imperial units are shown (units.h).
+/// "m", "°", "lm", "K", "%", "lx", "cd/m²", "EV"; "ft" and "fc" where imperial units are shown (units.h).
 QString unitOf(Dimension dimension);
 
 /// The value of a text, with point or comma in every language: `1200`, `1200 lm`, `1.2 klm`, `3,2

@@ -122,6 +122,16 @@ scene::View readView(const Json& value, const std::string& path, Report& report)
   reader.read("ocio_display", view.ocio_display);
   reader.read("ocio_view", view.ocio_view);
   reader.read("ocio_look", view.ocio_look);
+  const auto within = [&](const char* key, double& number, double most) {
+    reader.read(key, number);
+    if (number >= 0.0 && number <= most) return;
+    report.fail(reader.pathOf(key), fmt::format("expected 0 to {:g}, found {:g}", most, number),
+                "Correct the number, or leave it out.");
+  };
+  within("tone_key", view.tone_key, 100.0);
+  within("tone_white", view.tone_white, 1e6);
+  within("bloom_threshold", view.bloom_threshold, 1e9);
+  within("bloom_strength", view.bloom_strength, 1.0);
   return view;
 }
 

@@ -44,10 +44,19 @@ Json toJson(const scene::WorkPlane& plane) {
 }
 
 Json toJson(const scene::View& view) {
-  return Json::object({{"exposure", view.exposure},
-                       {"ocio_display", view.ocio_display},
-                       {"ocio_view", view.ocio_view},
-                       {"ocio_look", view.ocio_look}});
+  Json json = Json::object({{"exposure", view.exposure},
+                            {"ocio_display", view.ocio_display},
+                            {"ocio_view", view.ocio_view},
+                            {"ocio_look", view.ocio_look}});
+  const scene::View usual;
+  const auto add = [&](const char* key, double value, double otherwise) {
+    if (value != otherwise) json[key] = value;
+  };
+  add("tone_key", view.tone_key, usual.tone_key);
+  add("tone_white", view.tone_white, usual.tone_white);
+  add("bloom_threshold", view.bloom_threshold, usual.bloom_threshold);
+  add("bloom_strength", view.bloom_strength, usual.bloom_strength);
+  return json;
 }
 
 }  // namespace soffit::io

@@ -223,7 +223,8 @@ TEST(DisplayConfig, IsFoundBesideTheProgramAndByTheEnvironment) {
 
 TEST(DisplayConfig, ListsItsViews) {
   EXPECT_THAT(viewsOf(kConfig, "sRGB").value(),
-              ElementsAre("Filmic", "ACES", "sRGB", "Reinhard", "False colour"));
+              ElementsAre("Filmic", "ACES", "sRGB", "Reinhard", "Reinhard 2002",
+                          "Tumblin-Rushmeier", "False colour"));
 }
 
 }  // namespace

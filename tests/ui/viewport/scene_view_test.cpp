@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/viewport/scene_view.h"
 
+#include "core/render/picture.h"
 #include "tests/ui/viewport/cornell_view.h"
 #include "ui/viewport/picture_pass.h"
 
@@ -45,28 +46,43 @@ class SceneViewTest : public QObject {
 
   void everyViewEqualsTheOneOfPicturesWithinOneCodeValue_data() {
     QTest::addColumn<QByteArray>("name");
-    for (const char* name : {"Filmic", "ACES", "sRGB", "Reinhard"})
-      QTest::newRow(name) << QByteArray(name);
+    QTest::addColumn<double>("bloom");
+    for (const char* name :
+         {"Filmic", "ACES", "sRGB", "Reinhard", "Reinhard 2002", "Tumblin-Rushmeier"}) {
+      QTest::newRow(name) << QByteArray(name) << 0.0;
+    }
+    QTest::newRow("bloom") << QByteArray("Filmic") << 300.0;
+    QTest::newRow("both") << QByteArray("Reinhard 2002") << 300.0;
   }
   void everyViewEqualsTheOneOfPicturesWithinOneCodeValue() {
     QFETCH(QByteArray, name);
+    QFETCH(double, bloom);
     Look look;
     look.display.view = name.toStdString();
     look.exposure_ev = 1.5;
+    look.bloom = {.threshold = bloom, .strength = 0.3};
     QVERIFY(view_->setLook(look).ok());
     const QImage shown = view_->picture({640, 400}, false, 1);
-    std::vector<vec3> linear = view_->readLinear();
-    QCOMPARE(linear.size(), std::size_t{640 * 400});
-    const auto transform = color::DisplayTransform::create(look.display);
-    QVERIFY(transform.ok());
-    std::vector<vec3> expected(linear.size());
-    transform->apply(linear, look.exposure_ev, expected);
+    render::Film film(640, 400);
+    film.radiance = view_->readLinear();
+    QCOMPARE(film.radiance.size(), std::size_t{640 * 400});
+    const auto finished = render::developPicture(film, {.display = look.display,
+                                                        .exposure_ev = look.exposure_ev,
+                                                        .adapted_to = view_->adaptation(),
+                                                        .bloom = look.bloom});
+    QVERIFY(finished.ok());
+    const color::PictureLuminance whole = color::pictureLuminance(film.radiance);
+    if (color::toneKindOf(look.display.view)) {
+      // A part of the pixels tells the same.
+      QVERIFY(std::abs(std::log2(view_->adaptation().log_average / whole.log_average)) < 0.02);
+    }
+    const auto* expected = reinterpret_cast<const vec3*>(finished->pixels.data());
     int most = 0;
     double sum = 0.0;
     for (int y = 0; y < 400; ++y) {
       const uchar* row = shown.constScanLine(399 - y);
       for (int x = 0; x < 640; ++x) {
-        const vec3& e = expected[static_cast<std::size_t>(y * 640 + x)];
+        const vec3& e = expected[y * 640 + x];
         for (int c = 0; c < 3; ++c) {
           const int code = static_cast<int>(std::lround(255.0F * e[c]));
           most = std::max(most, std::abs(code - int{row[3 * x + c]}));

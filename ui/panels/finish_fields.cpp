@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "ui/panels/finish_fields.h"
+
+#include "core/color/tone_operator.h"
+#include "ui/widgets/quantity_box.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+namespace soffit::ui {
+namespace {
+
+constexpr int kToneWay = 21;
+constexpr int kBloomWay = 22;
+/// cd/m^2: above white paper under an office's light, below any luminaire.
+constexpr double kUsualThreshold = 1000.0;
+
+QDoubleSpinBox* toneBox(double most, double step, const QString& name, const QString& tip) {
+  auto* box = new QDoubleSpinBox;
+  box->setRange(0.0, most);
+  box->setDecimals(2);
+  box->setSingleStep(step);
+  box->setSpecialValueText(FinishFields::tr("automatic"));
+  box->setAccessibleName(name);
+  box->setToolTip(tip);
+  return box;
+}
+
+}  // namespace
+
+FinishFields::FinishFields(QWidget* parent)
+    : QWidget(parent),
+      tone_(new QWidget),
+      key_(toneBox(100.0, 0.02, tr("Key"),
+                   tr("What the average of the picture becomes; 0.18 is mid grey"))),
+      white_(
+          toneBox(1e6, 0.5, tr("White point"),
+                  tr("The smallest brightness that becomes white, where the average is the key"))),
+      bloom_(new QCheckBox(tr("Bloom above"))),
+      bloom_row_(new QWidget),
+      threshold_(new QuantityBox(Dimension::luminance)),
+      strength_(new QuantityBox(Dimension::share)) {
+  auto* tone = new QHBoxLayout(tone_);
+  tone->setContentsMargins(0, 0, 0, 0);
+  tone->addWidget(new QLabel(tr("Key")));
+  tone->addWidget(key_, 1);
+  tone->addWidget(new QLabel(tr("White")));
+  tone->addWidget(white_, 1);
+  bloom_->setToolTip(tr("Spreads light about what is brighter, in pictures alone"));
+  threshold_->setRange(1.0, 1e9);
+  threshold_->setSteps(100.0, 0);
+  threshold_->setAccessibleName(tr("Luminance above which light is spread"));
+  strength_->setRange(0.0, 1.0);
+  strength_->setSteps(0.05, 2);
+  strength_->setAccessibleName(tr("Share of the light that is spread"));
+  strength_->setToolTip(strength_->accessibleName());
+  auto* bloom = new QHBoxLayout(bloom_row_);
+  bloom->setContentsMargins(0, 0, 0, 0);
+  bloom->addWidget(bloom_);
+  bloom->addWidget(threshold_, 1);
+  bloom->addWidget(strength_, 1);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(6);
+  rows->addWidget(tone_);
+  rows->addWidget(bloom_row_);
+
+  connect(key_, &QDoubleSpinBox::valueChanged, this, [this](double v) {
+    Q_EMIT edited(
+        tr("Key of the picture"), [v](scene::View& view) { view.tone_key = v; }, kToneWay);
+  });
+  connect(white_, &QDoubleSpinBox::valueChanged, this, [this](double v) {
+    Q_EMIT edited(
+        tr("White point"), [v](scene::View& view) { view.tone_white = v; }, kToneWay + 2);
+  });
+  connect(bloom_, &QCheckBox::clicked, this, [this](bool on) {
+    Q_EMIT edited(
+        tr("Bloom"), [on](scene::View& view) { view.bloom_threshold = on ? kUsualThreshold : 0.0; },
+        -1);
+  });
+  connect(threshold_, &QuantityBox::edited, this, [this](double v) {
+    Q_EMIT edited(
+        tr("Bloom"), [v](scene::View& view) { view.bloom_threshold = v; }, kBloomWay);
+  });
+  connect(strength_, &QuantityBox::edited, this, [this](double v) {
+    Q_EMIT edited(
+        tr("Bloom"), [v](scene::View& view) { view.bloom_strength = v; }, kBloomWay + 2);
+  });
+}
+
+void FinishFields::showView(const scene::View& view) {
+  const QSignalBlocker quiet_key(key_);
+  const QSignalBlocker quiet_white(white_);
+  tone_->setVisible(view.ocio_view == color::kReinhard2002View);
+  key_->setValue(view.tone_key);
+  white_->setValue(view.tone_white);
+  const bool blooms = view.bloom_threshold > 0.0;
+  bloom_->setChecked(blooms);
+  bloom_->setText(blooms ? tr("Bloom above") : tr("Bloom"));
+  threshold_->setVisible(blooms);
+  strength_->setVisible(blooms);
+  if (blooms) threshold_->setValue(view.bloom_threshold);
+  strength_->setValue(view.bloom_strength);
+}
+
+}  // namespace soffit::ui
