@@ -102,6 +102,50 @@ bool meets(const Box& box, const vec3& p, const vec3& d) {
   return lo <= hi;
 }
 
+std::vector<Box> widened(std::span<const Box> edited) {
+  std::vector<Box> boxes;
+  for (Box box : edited) {
+    if (box.empty()) continue;
+    // Room for the rounding of the slab test.
+    const float margin = 1e-5F * (box.diagonal() + glm::length(box.center())) + 1e-5F;
+    box.lo -= margin;
+    box.hi += margin;
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+bool crossesAny(std::span<const Box> boxes, const vec3& p, const vec3& d) {
+  return std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return meets(b, p, d); });
+}
+
+/// Traces the collected rays; whether any flag of theirs was another before.
+bool setFlags(const Surfaces& surfaces, std::size_t i, Scratch& s, VisibilityFlags& flags) {
+  s.blocked.resize(s.rays.size());
+  surfaces.caster->occluded(s.rays, s.blocked);
+  bool changed = false;
+  for (std::size_t k = 0; k < s.rays.size(); ++k) {
+    const bool now = s.blocked[k] != 0;
+    if (now == flags.blocked(i, s.which[k])) continue;
+    flags.setBlocked(i, s.which[k], now);
+    changed = true;
+  }
+  return changed;
+}
+
+/// What glass dims now: the old list where no ray was traced, the rest anew. Whether they differ.
+bool dimAgain(const Surfaces& surfaces, std::span<const VisibilityFlags::Dimmed> before, Scratch& s,
+              std::vector<VisibilityFlags::Dimmed>& out) {
+  using Dimmed = VisibilityFlags::Dimmed;
+  dimByGlass(surfaces, s, out);
+  for (const Dimmed& old : before) {
+    if (!std::binary_search(s.which.begin(), s.which.end(), old.direction)) out.push_back(old);
+  }
+  std::sort(out.begin(), out.end(),
+            [](const Dimmed& a, const Dimmed& b) { return a.direction < b.direction; });
+  return !std::equal(out.begin(), out.end(), before.begin(), before.end());
+}
+
 }  // namespace
 
 Result<ShadowPass> traceShadows(const Surfaces& surfaces, const Receivers& receivers,
@@ -118,12 +162,8 @@ Result<ShadowPass> traceShadows(const Surfaces& surfaces, const Receivers& recei
       if (!receivers.standsForItself(i)) continue;
       collectRays(
           receivers, i, directions, [](const vec3&, const vec3&) { return true; }, s);
-      s.blocked.resize(s.rays.size());
-      surfaces.caster->occluded(s.rays, s.blocked);
       traced += s.rays.size();
-      for (std::size_t k = 0; k < s.rays.size(); ++k) {
-        if (s.blocked[k] != 0) pass.flags.setBlocked(i, s.which[k], true);
-      }
+      setFlags(surfaces, i, s, pass.flags);
       if (glass) dimByGlass(surfaces, s, dimmed[i]);
     }
     rays += traced;
@@ -137,62 +177,38 @@ Result<ShadowPass> traceShadows(const Surfaces& surfaces, const Receivers& recei
 
 Result<ShadowUpdate> retraceShadows(const VisibilityFlags& flags, const Surfaces& surfaces,
                                     const Receivers& receivers, const Directions& directions,
-                                    std::span<const Box> edited, const Job& job) {
+                                    std::span<const Box> edited,
+                                    std::span<const std::uint8_t> fresh, const Job& job) {
   ShadowUpdate update{flags, std::vector<std::uint8_t>(receivers.size(), 0), 0};
-  std::vector<Box> boxes;
-  for (Box box : edited) {
-    if (box.empty()) continue;
-    // Room for the rounding of the slab test.
-    const float margin = 1e-5F * (box.diagonal() + glm::length(box.center())) + 1e-5F;
-    box.lo -= margin;
-    box.hi += margin;
-    boxes.push_back(box);
-  }
-  const auto crosses = [&](const vec3& p, const vec3& d) {
-    return std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return meets(b, p, d); });
-  };
-  std::vector<std::vector<VisibilityFlags::Dimmed>> dimmed(
-      surfaces.panes != nullptr ? receivers.size() : 0);
+  const std::vector<Box> boxes = widened(edited);
+  const bool glass = surfaces.panes != nullptr;
+  std::vector<std::vector<VisibilityFlags::Dimmed>> dimmed(glass ? receivers.size() : 0);
   std::atomic<std::uint64_t> rays{0};
-  Count count(job, "shadow pass, edited rays", std::max<std::size_t>(receivers.size(), 1));
+  Count count(job, "shadow pass", receivers.size());
   parallelFor(receivers.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     Scratch s;
     std::uint64_t traced = 0;
     for (std::size_t i = begin; i < end && !job.cancelled(); ++i) {
       if (!receivers.standsForItself(i)) continue;
-      collectRays(receivers, i, directions, crosses, s);
-      s.blocked.resize(s.rays.size());
-      surfaces.caster->occluded(s.rays, s.blocked);
+      const bool all = !fresh.empty() && fresh[i] != 0;
+      collectRays(
+          receivers, i, directions,
+          [&](const vec3& p, const vec3& d) { return all || crossesAny(boxes, p, d); }, s);
       traced += s.rays.size();
-      for (std::size_t k = 0; k < s.rays.size(); ++k) {
-        const bool now = s.blocked[k] != 0;
-        if (now == update.flags.blocked(i, s.which[k])) continue;
-        update.flags.setBlocked(i, s.which[k], now);
-        update.changed[i] = 1;
-      }
-      if (surfaces.panes == nullptr) continue;
-      // Rays through glass are few: what stands before and behind the glass both count.
-      std::vector<VisibilityFlags::Dimmed> found;
-      dimByGlass(surfaces, s, found);
-      auto& all = dimmed[i];
-      for (const auto& old : flags.dimmed(i)) {
-        if (!std::binary_search(s.which.begin(), s.which.end(), old.direction)) all.push_back(old);
-      }
-      all.insert(all.end(), found.begin(), found.end());
-      std::sort(all.begin(), all.end(),
-                [](const auto& a, const auto& b) { return a.direction < b.direction; });
-      const auto before = flags.dimmed(i);
-      const bool same = std::equal(all.begin(), all.end(), before.begin(), before.end(),
-                                   [](const auto& a, const auto& b) {
-                                     return a.direction == b.direction && a.share == b.share;
-                                   });
-      if (!same) update.changed[i] = 1;
+      update.changed[i] = setFlags(surfaces, i, s, update.flags) || all ? 1 : 0;
+      const bool dims =
+          glass ? dimAgain(surfaces, flags.dimmed(i), s, dimmed[i]) : !flags.dimmed(i).empty();
+      if (dims) update.changed[i] = 1;
     }
     rays += traced;
     count.add(end - begin);
   });
   if (job.cancelled()) return cancelled();
-  if (surfaces.panes != nullptr) joinDimmed(dimmed, update.flags);
+  if (glass) {
+    joinDimmed(dimmed, update.flags);
+  } else {
+    update.flags.setDimmed({}, {});
+  }
   update.rays = rays;
   return update;
 }

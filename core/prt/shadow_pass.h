@@ -38,13 +38,16 @@ struct ShadowUpdate {
 };
 
 /// The same flags after an edit, for the rays alone that cross one of the `edited` boxes (bounds of
-/// what was there before and of what is there now): no other ray can have changed. Receivers must
-/// be those of `flags`. Equal to traceShadows() of the new surfaces.
+/// what was there before and of what is there now): no other ray can have changed. Equal to
+/// traceShadows() of the new surfaces.
 ///
+/// fresh  per receiver 1 where `flags` say nothing (another receiver was there): all its rays are
+///        traced, and it counts as changed. Empty: none.
 /// Errors: cancelled.
 Result<ShadowUpdate> retraceShadows(const VisibilityFlags& flags, const Surfaces& surfaces,
                                     const Receivers& receivers, const Directions& directions,
-                                    std::span<const Box> edited, const Job& job = {});
+                                    std::span<const Box> edited,
+                                    std::span<const std::uint8_t> fresh = {}, const Job& job = {});
 
 /// Per receiver 1, or 0 where it lies inside closed matter (a floor's texel under a cupboard): more
 /// than a quarter of up to 64 cosine-weighted rays meet a side that receives nothing. ReceiverSet::

@@ -9,13 +9,17 @@
 namespace soffit::prt {
 namespace {
 
-/// Whether a solid holds another component: the middle of any of its triangles' first few.
+/// Whether a solid holds another component: the middle of a few of its triangles.
 bool holdsAnother(const geometry::Mesh& mesh, const geometry::Components& all, std::size_t index) {
   const geometry::Component& shell = all.list[index];
   const float margin = 1e-4F * shell.bounds.diagonal();
   for (std::size_t other = 0; other < all.list.size(); ++other) {
     const geometry::Component& o = all.list[other];
-    if (other == index || !shell.bounds.contains(o.bounds.center())) continue;
+    // What reaches out of the shell's box is not held by it.
+    if (other == index || !shell.bounds.contains(o.bounds.lo) ||
+        !shell.bounds.contains(o.bounds.hi)) {
+      continue;
+    }
     const std::size_t step = std::max<std::size_t>(1, o.triangles.size() / 8);
     for (std::size_t k = 0; k < o.triangles.size(); k += step) {
       const uvec3& t = mesh.triangles[o.triangles[k]];

@@ -58,6 +58,7 @@ class VisibilityFlags {
   struct Dimmed {
     std::uint32_t direction = 0;
     float share = 1.0F;
+    bool operator==(const Dimmed&) const = default;
   };
   /// Those of a receiver, by direction, whether blocked farther on or not. Few, or none at all.
   [[nodiscard]] std::span<const Dimmed> dimmed(std::size_t receiver) const {
@@ -73,10 +74,7 @@ class VisibilityFlags {
   [[nodiscard]] std::span<const std::uint32_t> firstDimmed() const { return first_dimmed_; }
   [[nodiscard]] std::span<const Dimmed> allDimmed() const { return dimmed_; }
 
-  bool operator==(const VisibilityFlags& o) const {
-    return receivers_ == o.receivers_ && directions_ == o.directions_ && bits_ == o.bits_ &&
-           first_dimmed_ == o.first_dimmed_ && dimmed_.size() == o.dimmed_.size();
-  }
+  bool operator==(const VisibilityFlags&) const = default;
 
  private:
   std::size_t receivers_ = 0;

@@ -93,11 +93,11 @@ inline geometry::Mesh fineBox(const vec3& lo, const vec3& hi, int n) {
   return all;
 }
 
-/// A floor of 4 x 4 m of 2 n^2 triangles with a block of 1 x 1 x 1.2 m on it, 1 cm above.
-inline Builder blockOnFloor(int n, const vec3& floor, const vec3& block) {
+/// A floor of 4 x 4 m of 2 n^2 triangles with a block of 1 x 1 x 1.2 m over it, `gap` above.
+inline Builder blockOnFloor(int n, const vec3& floor, const vec3& block, float gap = 0.01F) {
   Builder b;
   b.add(geometry::makeRectangle(4, 4, n, n), matte(floor));
-  b.add(geometry::makeBox({-0.5F, -0.5F, 0.01F}, {0.5F, 0.5F, 1.21F}), matte(block));
+  b.add(geometry::makeBox({-0.5F, -0.5F, gap}, {0.5F, 0.5F, gap + 1.2F}), matte(block));
   return b;
 }
 
