@@ -7,6 +7,7 @@
 #include "core/prt/bounces.h"
 #include "core/prt/direct_transfer.h"
 #include "core/prt/evaluate.h"
+#include "core/prt/material_maps.h"
 #include "core/prt/shadow_pass.h"
 #include "core/prt/texture_bake.h"
 #include "core/prt/vertex_receivers.h"
@@ -239,7 +240,7 @@ struct Places {
       hits.push_back(hit);
       at.positions.push_back((1 - hit.u - hit.v) * s.corner(hit.triangle, 0) +
                              hit.u * s.corner(hit.triangle, 1) + hit.v * s.corner(hit.triangle, 2));
-      at.normals.push_back(s.normals[hit.triangle]);
+      at.normals.push_back(prt::shadingNormalAt(s, {hit.triangle, hit.u, hit.v, 0.0F}));
       at.facing.push_back(s.normals[hit.triangle]);
     }
     exact = lit(shadow(s, at, {sh::hammersleySamples(directions), 5}).rows);

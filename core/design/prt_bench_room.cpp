@@ -72,8 +72,11 @@ std::shared_ptr<const prt::Surfaces> prtBenchRoom(int cells) {
   room.addFlat(z + vec3(4, 1.5F, 0), vec3(0, 1.5F, 0), vec3(2, 0, 0), white, cells);
   room.add(geometry::makeBox({1, 2, 0.05F}, {2.5F, 3, 0.75F}), {0.3F, 0.4F, 0.5F});
   room.add(geometry::makeSphere({4.2F, 2, 0.8F}, 0.5F, 12), white);
-  return prt::makeSurfaces(std::make_shared<const geometry::Mesh>(std::move(room.mesh)),
-                           std::move(room.materials));
+  prt::Surfaces surfaces = *prt::makeSurfaces(
+      std::make_shared<const geometry::Mesh>(std::move(room.mesh)), std::move(room.materials));
+  // The shell's outside sees the whole sky and would hide the errors of the inside.
+  for (std::uint8_t& sides : surfaces.sides) sides &= transfer::kFront;
+  return std::make_shared<const prt::Surfaces>(std::move(surfaces));
 }
 
 }  // namespace soffit::design
