@@ -6,6 +6,7 @@
 #include "core/prt/surfaces.h"
 #include "core/prt/visibility_flags.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -8,6 +8,8 @@
 #include "core/prt/transfer_rows.h"
 #include "core/prt/visibility_flags.h"
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 /// Transfer without bounces: of the tutorial's three kinds the first two.

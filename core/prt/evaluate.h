@@ -7,6 +7,7 @@
 #include "core/sh/index.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -3,6 +3,8 @@
 
 #include "core/prt/surfaces.h"
 
+#include <cstdint>
+
 /// What a material's pictures say at a place on a surface.
 namespace soffit::prt {
 

@@ -5,6 +5,7 @@
 #include "core/math/vec.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

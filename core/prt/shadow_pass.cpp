@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 namespace soffit::prt {

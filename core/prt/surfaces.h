@@ -7,6 +7,7 @@
 #include "core/scene/material.h"
 #include "core/transfer/charts.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>

@@ -116,41 +116,44 @@ void countRedone(const std::vector<std::uint8_t>& changed, const Match& match, T
   }
 }
 
-Result<void> solveBounces(const std::shared_ptr<const Surfaces>& surfaces,
-                          const Directions& directions, const TextureBakeOptions& options,
-                          const Job& job, TextureBake& bake) {
-  const bool same = options.bounce_coarseness <= 1;
+/// On the bake's own texels.
+Result<void> solveFine(const Surfaces& surfaces, const Directions& directions,
+                       const TextureBakeOptions& options, const Job& job, TextureBake& bake) {
+  auto bounced = addBounces(surfaces, *bake.receivers, directions, bake.flags, bake.direct,
+                            options.passes, job);
+  if (!bounced) return bounced.error();
+  bake.passes = std::move(bounced->passes);
+  bake.bounce_rays += bounced->rays;
+  bake.transfer = TransferVectors(bounced->transfer);
+  return {};
+}
+
+/// On coarse texels, and one more bounce to the bake's own.
+Result<void> solveCoarse(const std::shared_ptr<const Surfaces>& surfaces,
+                         const Directions& directions, const TextureBakeOptions& options,
+                         const Job& job, TextureBake& bake) {
   TextureOptions wide = options.textures;
-  wide.texel *= std::max(options.bounce_coarseness, 1);
-  wide.side /= std::max(options.bounce_coarseness, 1);
-  if (options.textures.side > 0) wide.side = std::max(wide.side, 16);
+  wide.texel *= options.bounce_coarseness;
+  if (wide.side > 0) wide.side = std::max(wide.side / options.bounce_coarseness, 16);
+  // Nobody looks at these: neither coarser levels nor dilation.
+  wide.levels = 1;
+  wide.dilation = 0;
   TextureReceivers coarse = receiversOf(surfaces, wide, options.one_atlas);
   const auto valid = findUncovered(*surfaces, coarse.receivers(), job);
   if (!valid) return valid.error();
   coarse.replaceInvalid(*valid);
-  VisibilityFlags flags = same ? bake.flags : VisibilityFlags();
-  TransferRows direct = same ? bake.direct : TransferRows();
-  if (!same) {
-    auto pass = traceShadows(*surfaces, coarse.receivers(), directions, job);
-    if (!pass) return pass.error();
-    auto rows = shadowedTransfer(coarse.receivers(), directions, pass->flags, job);
-    if (!rows) return rows.error();
-    bake.shadow_rays += pass->rays;
-    flags = std::move(pass->flags);
-    direct = std::move(*rows);
-  }
-  auto bounced = addBounces(*surfaces, coarse, directions, flags, direct, options.passes, job);
+  const auto pass = traceShadows(*surfaces, coarse.receivers(), directions, job);
+  if (!pass) return pass.error();
+  const auto direct = shadowedTransfer(coarse.receivers(), directions, pass->flags, job);
+  if (!direct) return direct.error();
+  auto bounced =
+      addBounces(*surfaces, coarse, directions, pass->flags, *direct, options.passes, job);
   if (!bounced) return bounced.error();
-  bake.passes = bounced->passes;
-  bake.bounce_rays += bounced->rays;
-  if (same) {
-    bake.transfer = TransferVectors(bounced->transfer);
-    return {};
-  }
-  auto last = gatherBounce(*surfaces, coarse, bounced->transfer, bake.receivers->receivers(),
-                           directions, bake.flags, bake.direct, job);
+  const auto last = gatherBounce(*surfaces, coarse, bounced->transfer, bake.receivers->receivers(),
+                                 directions, bake.flags, bake.direct, job);
   if (!last) return last.error();
-  bake.bounce_rays += last->rays;
+  bake.passes = std::move(bounced->passes);
+  bake.bounce_rays += pass->rays + bounced->rays + last->rays;
   bake.transfer = TransferVectors(last->transfer);
   return {};
 }
@@ -198,9 +201,10 @@ Result<TextureBake> rebakeTextures(const TextureBake& before,
     bake.transfer = TransferVectors(bake.direct);
     return bake;
   }
-  if (const auto done = solveBounces(surfaces, directions, options, job, bake); !done) {
-    return done.error();
-  }
+  const auto solved = options.bounce_coarseness <= 1
+                          ? solveFine(*surfaces, directions, options, job, bake)
+                          : solveCoarse(surfaces, directions, options, job, bake);
+  if (!solved) return solved.error();
   return bake;
 }
 

@@ -44,8 +44,8 @@ struct TextureBake {
   TransferVectors transfer;        ///< with bounces, when asked for
   std::vector<BouncePass> passes;  ///< on the coarse textures
   std::uint64_t shadow_rays = 0;
-  std::uint64_t bounce_rays = 0;
-  std::uint64_t replaced = 0;  ///< texels inside of other matter
+  std::uint64_t bounce_rays = 0;  ///< and those of the coarse texels' shadow pass
+  std::uint64_t replaced = 0;     ///< texels inside of other matter
 
   /// How much of a set had to be baked again; all of it in a first bake.
   struct Share {

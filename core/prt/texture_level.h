@@ -5,6 +5,7 @@
 #include "core/prt/receivers.h"
 #include "core/prt/transfer_rows.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -7,7 +7,10 @@
 #include "core/prt/texture_layout.h"
 #include "core/prt/texture_level.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 

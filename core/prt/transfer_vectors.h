@@ -4,6 +4,7 @@
 #include "core/prt/transfer_rows.h"
 #include "core/transfer/half.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -4,7 +4,11 @@
 #include "core/prt/receivers.h"
 #include "core/prt/surfaces.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace soffit::prt {
 

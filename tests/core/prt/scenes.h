@@ -9,6 +9,8 @@
 #include "core/sh/projection.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 
 #include <cmath>
 #include <memory>

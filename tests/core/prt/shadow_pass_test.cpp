@@ -7,7 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <stop_token>
+#include <string_view>
 
 namespace soffit::prt {
 namespace {

@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <stop_token>
+
 namespace soffit::prt {
 namespace {
 

@@ -7,6 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace soffit::prt {
 namespace {
 
@@ -73,7 +76,8 @@ TEST(TextureReceivers, SetsOfEqualSideAreSharperOnSmallThings) {
     return sum;
   };
   EXPECT_LT(texels(sets), 1.05 * texels(atlas));
-  EXPECT_LT(sets.sets()[1].layout.texel, 0.6 * atlas.sets()[0].layout.texel);
+  // The block has 6.8 of 38.8 m^2 and half of the texels: sqrt(2 * 6.8 / 38.8) = 0.59, and gutters.
+  EXPECT_LT(sets.sets()[1].layout.texel, 0.65 * atlas.sets()[0].layout.texel);
 }
 
 /// A wave of normals along x in tangent space.
