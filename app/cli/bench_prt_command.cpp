@@ -24,13 +24,14 @@ struct BenchPrtArguments {
 };
 
 std::string tableOf(const std::vector<design::PrtBenchRow>& rows) {
-  std::string text =
-      fmt::format("{:<8} {:<26} {:>5} {:>8} {:>9} {:>11} {:>12} {:>9} {:>10}\n", "task", "method",
-                  "bands", "samples", "receivers", "ms", "rays", "MB", "RMS error");
+  std::string text = fmt::format(
+      "{:<8} {:<26} {:>5} {:>8} {:>9} {:>11} {:>11} {:>12} {:>9} {:>10}\n", "task", "method",
+      "bands", "samples", "receivers", "ms", "CPU ms", "rays", "MB", "RMS error");
   for (const design::PrtBenchRow& r : rows) {
-    text += fmt::format("{:<8} {:<26} {:>5} {:>8} {:>9} {:>11.3f} {:>12} {:>9.2f} {:>10.1e}\n",
-                        r.task, r.method, r.bands, r.samples, r.receivers, r.ms, r.rays,
-                        r.megabytes, r.rms_error);
+    text += fmt::format(
+        "{:<8} {:<26} {:>5} {:>8} {:>9} {:>11.3f} {:>11.3f} {:>12} {:>9.2f} {:>10.1e}\n", r.task,
+        r.method, r.bands, r.samples, r.receivers, r.ms, r.cpu_ms, r.rays, r.megabytes,
+        r.rms_error);
   }
   return text;
 }
@@ -44,6 +45,7 @@ io::Json jsonOf(const std::vector<design::PrtBenchRow>& rows) {
                                      {"samples", r.samples},
                                      {"receivers", r.receivers},
                                      {"ms", r.ms},
+                                     {"cpu_ms", r.cpu_ms},
                                      {"rays", static_cast<double>(r.rays)},
                                      {"megabytes", r.megabytes},
                                      {"rms_error", r.rms_error}}));
@@ -88,6 +90,8 @@ void addBenchPrtCommand(CLI::App& bench, Session& session) {
           "Texels per side of the large transfer texture (1024: half a minute to some minutes)")
       ->check(CLI::Range(64, 4096))
       ->capture_default_str();
+  command->add_option("--only", arguments->bench.only, "One task alone")
+      ->check(CLI::IsMember(design::prtBenchTasks()));
   command
       ->add_option("--detail", arguments->bench.detail,
                    "0: a quick look, 1: as the figures are given")

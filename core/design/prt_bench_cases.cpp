@@ -16,33 +16,51 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <memory>
 
 namespace soffit::design {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using prt::Directions;
 using prt::Receivers;
 using prt::Surfaces;
 using prt::TransferRows;
 
-double milliseconds(Clock::time_point since) {
-  return 1e3 * std::chrono::duration<double>(Clock::now() - since).count();
-}
+/// What a call took: by the clock on the wall, and of all threads' processors.
+struct Took {
+  double ms = 0.0;
+  double cpu_ms = 0.0;
+  Took operator+(const Took& o) const { return {ms + o.ms, cpu_ms + o.cpu_ms}; }
+};
 
-double medianMs(const std::function<void()>& run, double budget_s) {
+class Watch {
+ public:
+  [[nodiscard]] Took took() const {
+    return {1e3 * std::chrono::duration<double>(Clock::now() - start_).count(),
+            1e3 * static_cast<double>(std::clock() - cpu_) / CLOCKS_PER_SEC};
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+  std::clock_t cpu_ = std::clock();
+};
+
+/// Median by the wall's clock, mean of the processors'.
+Took medianOf(const std::function<void()>& run, double budget_s) {
   for (int i = 0; i < 3; ++i) run();
   std::vector<double> all;
-  for (double spent = 0.0; all.size() < 5 || spent < 1e3 * budget_s;) {
-    const auto start = Clock::now();
+  const Watch whole;
+  while (all.size() < 5 || whole.took().ms < 1e3 * budget_s) {
+    const Watch watch;
     run();
-    all.push_back(milliseconds(start));
-    spent += all.back();
+    all.push_back(watch.took().ms);
   }
+  const double cpu_ms = whole.took().cpu_ms / static_cast<double>(all.size());
   std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2),
                    all.end());
-  return all[all.size() / 2];
+  return {all[all.size() / 2], cpu_ms};
 }
 
 /// High in the sky, a little to one side: it comes in through the skylight.
@@ -87,18 +105,18 @@ struct Shadowed {
   prt::VisibilityFlags flags;
   TransferRows rows;
   std::uint64_t rays = 0;
-  double trace_ms = 0.0;
-  double project_ms = 0.0;
+  Took trace;
+  Took project;
 };
 
 Shadowed shadow(const Surfaces& s, const Receivers& r, const Directions& directions) {
   Shadowed out;
-  auto start = Clock::now();
+  const Watch tracing;
   auto pass = prt::traceShadows(s, r, directions).value();
-  out.trace_ms = milliseconds(start);
-  start = Clock::now();
+  out.trace = tracing.took();
+  const Watch projecting;
   out.rows = prt::shadowedTransfer(r, directions, pass.flags).value();
-  out.project_ms = milliseconds(start);
+  out.project = projecting.took();
   out.rays = pass.rays;
   out.flags = std::move(pass.flags);
   return out;
@@ -140,14 +158,15 @@ void PrtBench::apply() {
       const double mb = 1e-6 * static_cast<double>(vectors.bytes());
       if (channels == 1) {
         std::vector<float> one(vectors.blockCount() * prt::kBlock);
-        const double ms = medianMs([&] { prt::evaluate(vectors, light.channels[0], one); },
+        const Took took = medianOf([&] { prt::evaluate(vectors, light.channels[0], one); },
                                    options_.seconds_per_case);
-        rows_.push_back({"apply", "one channel", bands, 0, receivers, ms, 0, mb, error});
+        rows_.push_back(
+            {"apply", "one channel", bands, 0, receivers, took.ms, took.cpu_ms, 0, mb, error});
       }
-      const double ms =
-          medianMs([&] { prt::evaluate(vectors, light, lux); }, options_.seconds_per_case);
+      const Took took =
+          medianOf([&] { prt::evaluate(vectors, light, lux); }, options_.seconds_per_case);
       rows_.push_back({"apply", channels == 1 ? "rgb light" : "rgb light and transfer", bands, 0,
-                       receivers, ms, 0, mb, error});
+                       receivers, took.ms, took.cpu_ms, 0, mb, error});
     }
   }
 }
@@ -165,9 +184,10 @@ void PrtBench::samples() {
     const auto add = [&](const std::string& method, const sh::SphereSamples& samples) {
       if (job_.cancelled()) return;
       const Shadowed s = shadow(*surfaces, r, {samples, kBands});
-      rows_.push_back(
-          {"samples", method, kBands, samples.size(), r.size(), s.trace_ms + s.project_ms, s.rays,
-           1e-6 * static_cast<double>(s.flags.bytes()), relativeRms(lit(s.rows), exact)});
+      const Took took = s.trace + s.project;
+      rows_.push_back({"samples", method, kBands, samples.size(), r.size(), took.ms, took.cpu_ms,
+                       s.rays, 1e-6 * static_cast<double>(s.flags.bytes()),
+                       relativeRms(lit(s.rows), exact)});
     };
     add("random", sh::randomSamples(side * side, options_.seed));
     add("stratified", sh::stratifiedSamples(side, options_.seed));
@@ -187,7 +207,7 @@ void PrtBench::bands() {
     const Shadowed s = shadow(*surfaces, r, directions);
     if (exact.empty()) exact = litWithoutHarmonics(r, directions, s.flags);
     rows_.push_back({"bands", "shadowed, projection only", bands, samples.size(), r.size(),
-                     s.project_ms, 0, 1e-6 * static_cast<double>(s.rows.bytes()),
+                     s.project.ms, s.project.cpu_ms, 0, 1e-6 * static_cast<double>(s.rows.bytes()),
                      relativeRms(lit(s.rows), exact)});
   }
 }
@@ -204,12 +224,13 @@ void PrtBench::bounces() {
       if (job_.cancelled()) return;
       prt::BounceOptions options;
       if (!keep) options.keep_bytes = 0;
-      const auto start = Clock::now();
+      const Watch watch;
       const auto out =
           prt::addBounces(*surfaces, set, directions, s.flags, s.rows, options).value();
+      const Took took = watch.took();
       // The residual that is left when the passes end.
       rows_.push_back({"bounces", keep ? "rays kept" : "rays traced again", 5, directions.size(),
-                       r.size(), milliseconds(start), out.rays,
+                       r.size(), took.ms, took.cpu_ms, out.rays,
                        1e-6 * static_cast<double>(out.kept_bytes),
                        out.passes.back().energy / out.passes.front().energy});
     }
@@ -273,12 +294,13 @@ void PrtBench::places() {
     if (job_.cancelled()) return;
     const auto surfaces = prtBenchRoom(cells);
     const Places places(*surfaces, count, options_.detail > 0 ? 16384 : 2048, options_.seed);
-    const auto start = Clock::now();
+    const Watch watch;
     prt::VertexReceivers set(surfaces);
     set.replaceInvalid(prt::findUncovered(*surfaces, set.receivers()).value());
     const Shadowed s = shadow(*surfaces, set.receivers(), directions);
-    rows_.push_back({"places", "vertices", 5, directions.size(), set.receivers().size(),
-                     milliseconds(start), s.rays, 1e-6 * static_cast<double>(s.rows.bytes()),
+    const Took took = watch.took();
+    rows_.push_back({"places", "vertices", 5, directions.size(), set.receivers().size(), took.ms,
+                     took.cpu_ms, s.rays, 1e-6 * static_cast<double>(s.rows.bytes()),
                      places.errorOf(set, s.rows)});
   }
   const auto surfaces = prtBenchRoom(1);
@@ -286,12 +308,13 @@ void PrtBench::places() {
   for (const double texel :
        options_.detail > 0 ? std::vector<double>{0.8, 0.4, 0.2, 0.1} : std::vector<double>{0.8}) {
     if (job_.cancelled()) return;
-    const auto start = Clock::now();
+    const Watch watch;
     auto set = prt::TextureReceivers::perObject(surfaces, {.texel = texel});
     set.replaceInvalid(prt::findUncovered(*surfaces, set.receivers()).value());
     const Shadowed s = shadow(*surfaces, set.receivers(), directions);
-    rows_.push_back({"places", "texels", 5, directions.size(), set.receivers().size(),
-                     milliseconds(start), s.rays, 1e-6 * static_cast<double>(s.rows.bytes()),
+    const Took took = watch.took();
+    rows_.push_back({"places", "texels", 5, directions.size(), set.receivers().size(), took.ms,
+                     took.cpu_ms, s.rays, 1e-6 * static_cast<double>(s.rows.bytes()),
                      places.errorOf(set, s.rows)});
   }
 }
@@ -305,12 +328,13 @@ void PrtBench::texture() {
   options.directions = options_.detail > 0 ? 1024 : 256;
   for (const bool bounces : {false, true}) {
     options.bounces = bounces;
-    const auto start = Clock::now();
+    const Watch watch;
     const auto bake = prt::bakeTextures(surfaces, options, job_);
     if (!bake) return;
+    const Took took = watch.took();
     rows_.push_back({"texture", bounces ? "shadows and bounces" : "shadows", options.bands,
                      static_cast<std::size_t>(options.directions),
-                     bake->receivers->receivers().size(), milliseconds(start),
+                     bake->receivers->receivers().size(), took.ms, took.cpu_ms,
                      bake->shadow_rays + bake->bounce_rays,
                      1e-6 * static_cast<double>(bake->transfer.bytes()), 0.0});
   }

@@ -13,8 +13,7 @@ namespace soffit::design {
 /// The cases of measurePrt(), which add their rows one after another.
 class PrtBench {
  public:
-  /// Both must outlive it.
-  PrtBench(const PrtBenchOptions& options, const Job& job) : options_(options), job_(job) {}
+  PrtBench(PrtBenchOptions options, Job job) : options_(std::move(options)), job_(std::move(job)) {}
 
   /// Names and calls, in the order in which they are to run.
   std::vector<std::pair<std::string, std::function<void()>>> cases();

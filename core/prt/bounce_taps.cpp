@@ -6,7 +6,7 @@
 namespace soffit::prt {
 
 const std::vector<Tap>& BounceTaps::find(const Receivers& to, const VisibilityFlags& flags,
-                                         std::size_t i) {
+                                         std::size_t i, bool merged) {
   which_.clear();
   cosines_.clear();
   rays_of_.clear();
@@ -40,7 +40,7 @@ const std::vector<Tap>& BounceTaps::find(const Receivers& to, const VisibilityFl
       taps_.push_back({around[a].receiver, weight * around[a].weight});
     }
   }
-  merge();
+  if (merged) merge();
   return taps_;
 }
 

@@ -81,11 +81,13 @@ class Passes {
     const Receivers& r = set_.receivers();
     TransferRows received(r.size(), sent.bands(), sent.channels());
     std::atomic<std::uint64_t> rays{0};
+    // Merged in the first pass whether there is room or not: no sum depends on the threads.
+    const bool first = std::exchange(first_, false);
     parallelFor(r.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       BounceTaps finder(surfaces_, set_, directions_);
       for (std::size_t i = begin; i < end && !job.cancelled(); ++i) {
         if (!r.standsForItself(i)) continue;
-        const std::vector<Tap>& taps = keeping_ ? kept_[i] : finder.find(r, flags_, i);
+        const std::vector<Tap>& taps = keeping_ ? kept_[i] : finder.find(r, flags_, i, first);
         addRows(sent.data(), sent.stride(), taps, received.row(i).data());
         if (!keeping_ && !full_) keep(i, taps);
       }
@@ -119,6 +121,7 @@ class Passes {
   std::atomic<std::uint64_t> kept_bytes_{0};
   std::atomic<bool> full_{false};
   bool keeping_ = false;
+  bool first_ = true;
   std::uint64_t rays_ = 0;
 };
 
@@ -175,7 +178,8 @@ Result<GatheredBounce> gatherBounce(const Surfaces& surfaces, const ReceiverSet&
     BounceTaps finder(surfaces, from, directions);
     for (std::size_t i = begin; i < end && !job.cancelled(); ++i) {
       if (!to.standsForItself(i)) continue;
-      addRows(sent.data(), sent.stride(), finder.find(to, flags, i), out.transfer.row(i).data());
+      addRows(sent.data(), sent.stride(), finder.find(to, flags, i, false),
+              out.transfer.row(i).data());
     }
     rays += finder.rays();
     const std::size_t before = done.fetch_add(end - begin);

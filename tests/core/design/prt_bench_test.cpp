@@ -52,10 +52,18 @@ TEST(PrtBench, ErrorsFallWhereTheyShould) {
 
 TEST(PrtBench, IsWrittenAsATable) {
   const std::string text = formatPrtBenchRows(rows());
-  EXPECT_THAT(text, StartsWith("task,method,bands,samples,receivers,ms,rays,megabytes,rms_error\n"
+  EXPECT_THAT(text, StartsWith("task,method,bands,samples,receivers,ms,cpu_ms,rays,megabytes,rms_error\n"
                                "apply,one channel,3,0,1000,"));
   EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')),
             rows().size() + 1);
+}
+
+TEST(PrtBench, OneTaskCanBePicked) {
+  EXPECT_EQ(prtBenchTasks().front(), "apply");
+  const auto one = measurePrt({.only = "bands", .detail = 0}, {});
+  ASSERT_TRUE(one);
+  EXPECT_EQ(one->size(), 10U);
+  EXPECT_EQ(one->front().task, "bands");
 }
 
 TEST(PrtBench, StopsWhenAsked) {

@@ -101,7 +101,9 @@ TEST(Bounces, KeptOrTracedAgainIsTheSame) {
   EXPECT_EQ(traced.rays, kept.rays * (traced.passes.size() - 1));
   for (std::size_t i = 0; i < kept.transfer.size(); ++i) {
     for (std::size_t k = 0; k < 9; ++k) {
-      EXPECT_EQ(kept.transfer.row(i)[k], traced.transfer.row(i)[k]);
+      // Equal but for the order of sums in single precision, over 26 passes.
+      const float wanted = kept.transfer.row(i)[k];
+      EXPECT_NEAR(wanted, traced.transfer.row(i)[k], 1e-5F * (1.0F + std::abs(wanted)));
     }
   }
 }
