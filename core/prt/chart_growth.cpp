@@ -177,7 +177,9 @@ class Growth {
     for (auto& corners : all.corners) {
       for (vec2& c : corners) c -= lo;
     }
-    FlatCover cover(hi - lo, static_cast<float>(options_.texel) / 4.0F);
+    const vec2 size = hi - lo;
+    FlatCover cover(size, std::max(static_cast<float>(options_.texel) / 4.0F,
+                                   std::max(size.x, size.y) / 512.0F));
     FlatChart chart;
     for (std::size_t i = 0; i < region.size(); ++i) {
       if (!cover.claim(all.corners[i]) && i > 0) continue;

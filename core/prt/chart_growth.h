@@ -21,7 +21,8 @@ struct FlatChart {
 
 struct GrowthOptions {
   double cone_deg = 40.0;  ///< how far normals may turn from the chart's first, below 90
-  double texel = 0.05;     ///< m; overlaps smaller than a quarter of it are not looked for
+  /// m; overlaps smaller than a quarter of it, or a 512th of the chart, are not looked for.
+  double texel = 0.05;
 };
 
 /// Cuts the given triangles (those that receive light) into charts.

@@ -72,7 +72,8 @@ struct Piece {
 
 class Raster {
  public:
-  Raster(const Surfaces& s, const TextureLayout& layout) : surfaces_(s), layout_(layout) {}
+  Raster(const Surfaces& s, const TextureLayout& layout, const Job& job)
+      : surfaces_(s), layout_(layout), job_(job) {}
 
   std::vector<RasterTexel> make() {
     for (std::size_t side = 0; side < 2; ++side) {
@@ -99,7 +100,7 @@ class Raster {
     const dvec2 hi = glm::max(t.c[0], glm::max(t.c[1], t.c[2]));
     const int x1 = std::min(static_cast<int>(hi.x), layout_.width - 1);
     const int y1 = std::min(static_cast<int>(hi.y), layout_.height - 1);
-    for (int y = static_cast<int>(lo.y); y <= y1; ++y) {
+    for (int y = static_cast<int>(lo.y); y <= y1 && !job_.cancelled(); ++y) {
       for (int x = static_cast<int>(lo.x); x <= x1; ++x) addPiece(t, x, y, metres, piece);
     }
   }
@@ -186,13 +187,15 @@ class Raster {
 
   const Surfaces& surfaces_;
   const TextureLayout& layout_;
+  const Job& job_;
   std::vector<Piece> pieces_;
 };
 
 }  // namespace
 
-std::vector<RasterTexel> rasterize(const Surfaces& surfaces, const TextureLayout& layout) {
-  return Raster(surfaces, layout).make();
+std::vector<RasterTexel> rasterize(const Surfaces& surfaces, const TextureLayout& layout,
+                                   const Job& job) {
+  return Raster(surfaces, layout, job).make();
 }
 
 }  // namespace soffit::prt

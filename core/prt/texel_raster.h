@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/progress.h"
 #include "core/prt/surfaces.h"
 #include "core/prt/texture_layout.h"
 
@@ -26,7 +27,8 @@ struct RasterTexel {
 /// piece: on the surface and away from its edge, where another wall may stand. Pieces are clipped
 /// exactly, so that areas sum to those of all sides that receive light (to rounding). Texels that a
 /// chart covers to less than 2 % give their area to the fullest of their neighbors of the same
-/// chart, where there is one, and are left out.
-std::vector<RasterTexel> rasterize(const Surfaces& surfaces, const TextureLayout& layout);
+/// chart, where there is one, and are left out. A cancelled job leaves texels out.
+std::vector<RasterTexel> rasterize(const Surfaces& surfaces, const TextureLayout& layout,
+                                   const Job& job = {});
 
 }  // namespace soffit::prt

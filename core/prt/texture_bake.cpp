@@ -11,9 +11,9 @@ namespace soffit::prt {
 namespace {
 
 TextureReceivers receiversOf(const std::shared_ptr<const Surfaces>& surfaces,
-                             const TextureOptions& options, bool one_atlas) {
-  return one_atlas ? TextureReceivers::atlas(surfaces, options)
-                   : TextureReceivers::perObject(surfaces, options);
+                             const TextureOptions& options, bool one_atlas, const Job& job) {
+  return one_atlas ? TextureReceivers::atlas(surfaces, options, job)
+                   : TextureReceivers::perObject(surfaces, options, job);
 }
 
 /// All triangles of each set, whether they receive light or only block it.
@@ -138,7 +138,7 @@ Result<void> solveCoarse(const std::shared_ptr<const Surfaces>& surfaces,
   // Nobody looks at these: neither coarser levels nor dilation.
   wide.levels = 1;
   wide.dilation = 0;
-  TextureReceivers coarse = receiversOf(surfaces, wide, options.one_atlas);
+  TextureReceivers coarse = receiversOf(surfaces, wide, options.one_atlas, job);
   const auto valid = findUncovered(*surfaces, coarse.receivers(), job);
   if (!valid) return valid.error();
   coarse.replaceInvalid(*valid);
@@ -175,7 +175,7 @@ TextureBakeSize predictTextureBake(const TextureReceivers& receivers,
 Result<TextureBake> rebakeTextures(const TextureBake& before,
                                    std::shared_ptr<const Surfaces> surfaces,
                                    const TextureBakeOptions& options, const Job& job) {
-  TextureReceivers made = receiversOf(surfaces, options.textures, options.one_atlas);
+  TextureReceivers made = receiversOf(surfaces, options.textures, options.one_atlas, job);
   const auto valid = findUncovered(*surfaces, made.receivers(), job);
   if (!valid) return valid.error();
   made.replaceInvalid(*valid);

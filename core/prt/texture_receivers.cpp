@@ -26,29 +26,29 @@ std::vector<std::uint32_t> objectsOf(const Surfaces& s, std::vector<std::string>
 TextureReceivers::TextureReceivers(std::shared_ptr<const Surfaces> surfaces,
                                    std::vector<std::uint32_t> set_of,
                                    const std::vector<std::string>& names,
-                                   const TextureOptions& options)
+                                   const TextureOptions& options, const Job& job)
     : surfaces_(std::move(surfaces)), set_of_(std::move(set_of)) {
   local_.assign(surfaces_->triangleCount(), kNoReceiver);
   std::vector<std::vector<std::uint32_t>> triangles(names.size());
   for (std::uint32_t t = 0; t < set_of_.size(); ++t) triangles[set_of_[t]].push_back(t);
-  for (std::size_t k = 0; k < names.size(); ++k) addSet(names[k], triangles[k], options);
+  for (std::size_t k = 0; k < names.size(); ++k) addSet(names[k], triangles[k], options, job);
 }
 
 TextureReceivers TextureReceivers::perObject(std::shared_ptr<const Surfaces> surfaces,
-                                             const TextureOptions& options) {
+                                             const TextureOptions& options, const Job& job) {
   std::vector<std::string> names;
   std::vector<std::uint32_t> set_of = objectsOf(*surfaces, names);
-  return {std::move(surfaces), std::move(set_of), names, options};
+  return {std::move(surfaces), std::move(set_of), names, options, job};
 }
 
 TextureReceivers TextureReceivers::atlas(std::shared_ptr<const Surfaces> surfaces,
-                                         const TextureOptions& options) {
+                                         const TextureOptions& options, const Job& job) {
   const std::size_t triangles = surfaces->triangleCount();
-  return {std::move(surfaces), std::vector<std::uint32_t>(triangles, 0), {"atlas"}, options};
+  return {std::move(surfaces), std::vector<std::uint32_t>(triangles, 0), {"atlas"}, options, job};
 }
 
 void TextureReceivers::addSet(const std::string& name, const std::vector<std::uint32_t>& triangles,
-                              const TextureOptions& options) {
+                              const TextureOptions& options, const Job& job) {
   TextureSet set;
   set.name = name;
   set.layout = layOut(*surfaces_, triangles, options);
@@ -58,7 +58,8 @@ void TextureReceivers::addSet(const std::string& name, const std::vector<std::ui
   }
   std::vector<std::uint32_t> texels;
   std::vector<float> areas;
-  for (const RasterTexel& texel : rasterize(*surfaces_, set.layout)) {
+  for (const RasterTexel& texel : rasterize(*surfaces_, set.layout, job)) {
+    if (job.cancelled()) break;
     addReceiver(texel, set.layout.texel);
     texels.push_back(texel.texel);
     areas.push_back(texel.area);

@@ -33,15 +33,17 @@ struct TextureSet {
 /// cuts it is that of a point up to half a texel away.
 class TextureReceivers final : public ReceiverSet {
  public:
-  /// set_of: per triangle, the number of its set; names: one per set. A texture each.
+  /// set_of: per triangle, the number of its set; names: one per set. A texture each. A cancelled
+  /// job leaves receivers out.
   TextureReceivers(std::shared_ptr<const Surfaces> surfaces, std::vector<std::uint32_t> set_of,
-                   const std::vector<std::string>& names, const TextureOptions& options);
+                   const std::vector<std::string>& names, const TextureOptions& options,
+                   const Job& job = {});
   /// A set for each of the mesh's objects.
   static TextureReceivers perObject(std::shared_ptr<const Surfaces> surfaces,
-                                    const TextureOptions& options);
+                                    const TextureOptions& options, const Job& job = {});
   /// One texture for everything (an atlas).
   static TextureReceivers atlas(std::shared_ptr<const Surfaces> surfaces,
-                                const TextureOptions& options);
+                                const TextureOptions& options, const Job& job = {});
 
   [[nodiscard]] const std::vector<TextureSet>& sets() const { return sets_; }
   [[nodiscard]] const Surfaces& surfaces() const { return *surfaces_; }
@@ -55,7 +57,7 @@ class TextureReceivers final : public ReceiverSet {
 
  private:
   void addSet(const std::string& name, const std::vector<std::uint32_t>& triangles,
-              const TextureOptions& options);
+              const TextureOptions& options, const Job& job);
   void addReceiver(const RasterTexel& texel, double width);
   [[nodiscard]] bool find(const geometry::Hit& hit, bool front, vec2& place,
                           std::uint32_t& chart) const;

@@ -8,8 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <stop_token>
+#include <string>
+#include <string_view>
 
 namespace soffit::prt {
 namespace {
@@ -174,12 +177,37 @@ TEST(TextureBake, TakingAPaneOutBrightens) {
   expectEqual(back, with);
 }
 
-TEST(TextureBake, StopsWhenAsked) {
+/// Asks for a stop at the n-th report.
+class Stopper final : public ProgressObserver {
+ public:
+  explicit Stopper(int n) : left_(n) {}
+  void onProgress(std::string_view, double) override {
+    if (--left_ == 0) stop_.request_stop();
+  }
+  [[nodiscard]] Job job() { return {this, stop_.get_token()}; }
+
+ private:
+  std::atomic<int> left_;
+  std::stop_source stop_;
+};
+
+TEST(TextureBake, StopsInAnyStage) {
+  const auto surfaces = testing::blockOnFloor(1, vec3(0.5F), vec3(0.5F)).surfaces();
+  TextureBakeOptions options = quick();
+  options.passes.threshold = 1e-3;
+  int reports = 0;
+  for (bool stopped = true; stopped; ++reports) {
+    Stopper stopper(1 + 25 * reports);
+    const auto bake = bakeTextures(surfaces, options, stopper.job());
+    stopped = !bake.ok();
+    const std::string message = stopped ? bake.error().message() : "";
+    EXPECT_TRUE(!stopped || message == "transfer: cancelled") << message;
+  }
+  // The first three stages of a bake report some hundred times each.
+  EXPECT_GT(reports, 5);
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_FALSE(bakeTextures(testing::blockOnFloor(1, vec3(0.5F), vec3(0.5F)).surfaces(), quick(),
-                            {nullptr, stop.get_token()})
-                   .ok());
+  EXPECT_FALSE(bakeTextures(surfaces, options, {nullptr, stop.get_token()}).ok());
 }
 
 TEST(TextureBake, EmptyScenesBakeToNothing) {
