@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/cli/bench_prt_command.h"
 #include "app/cli/bench_report.h"
 #include "app/cli/bench_sh_command.h"
 #include "app/cli/bench_sweep.h"
@@ -130,9 +131,10 @@ void addBenchCommand(CLI::App& app, Session& session) {
                    "Relative standard error of the reference at every point")
       ->check(CLI::Range(1e-6, 1.0))
       ->capture_default_str();
+  addBenchPrtCommand(*command, session);
   addBenchShCommand(*command, session);
   command->callback([&session, arguments, command] {
-    if (command->got_subcommand("sh")) return;
+    if (!command->get_subcommands().empty()) return;
     session.run = [arguments, &session] { return runBench(*arguments, session); };
   });
 }

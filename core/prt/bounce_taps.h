@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/prt/directions.h"
+#include "core/prt/receivers.h"
+#include "core/prt/surfaces.h"
+#include "core/prt/visibility_flags.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace soffit::prt {
+
+/// From which receivers, with which weights, the flagged directions of one receiver bring bounced
+/// light. One per thread: it holds scratch memory.
+class BounceTaps {
+ public:
+  BounceTaps(const Surfaces& surfaces, const ReceiverSet& from, const Directions& directions)
+      : surfaces_(surfaces), from_(from), directions_(directions) {}
+
+  /// Taps of receiver i of `to`; weights sum to the share of the cosine-weighted hemisphere that
+  /// shows receiving sides. Valid until the next call.
+  ///
+  /// merged: one per sending receiver, ascending: for lists that are kept. Otherwise up to four per
+  /// ray, in the order of the directions, which takes half the time.
+  const std::vector<Tap>& find(const Receivers& to, const VisibilityFlags& flags, std::size_t i,
+                               bool merged);
+
+  [[nodiscard]] std::uint64_t rays() const { return rays_; }
+
+ private:
+  void merge();
+
+  const Surfaces& surfaces_;
+  const ReceiverSet& from_;
+  const Directions& directions_;
+  std::vector<std::uint32_t> which_;
+  std::vector<float> cosines_;
+  std::vector<geometry::Ray> rays_of_;
+  std::vector<geometry::Hit> hits_;
+  std::vector<Tap> taps_;
+  std::uint64_t rays_ = 0;
+};
+
+}  // namespace soffit::prt
