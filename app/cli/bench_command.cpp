@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/cli/bench_glossy_command.h"
 #include "app/cli/bench_report.h"
 #include "app/cli/bench_sh_command.h"
 #include "app/cli/bench_sweep.h"
@@ -131,8 +132,9 @@ void addBenchCommand(CLI::App& app, Session& session) {
       ->check(CLI::Range(1e-6, 1.0))
       ->capture_default_str();
   addBenchShCommand(*command, session);
+  addBenchGlossyCommand(*command, session);
   command->callback([&session, arguments, command] {
-    if (command->got_subcommand("sh")) return;
+    if (!command->get_subcommands().empty()) return;  // theirs was called
     session.run = [arguments, &session] { return runBench(*arguments, session); };
   });
 }
