@@ -26,6 +26,7 @@ struct BenchGlossyArguments {
   CommonOptions common;
   std::string camera, size = "1280x800";
   design::GlossyPictureOptions pictures;
+  design::GlossyBenchOptions methods;
 };
 
 std::string tableOf(const std::vector<design::GlossyBenchRow>& rows) {
@@ -98,7 +99,13 @@ Result<std::vector<design::GlossyPictureRow>> picturesOf(BenchGlossyArguments& a
   const std::shared_ptr<const relight::Lighting> lighting = engine->lighting;
   const std::shared_ptr<const geometry::RayCaster> caster(lighting,
                                                           &lighting->solver().scene().caster);
-  const auto view = makeViewScene(project->scene, caster);
+  // The path tracer knows flat triangles alone: so do the pictures here.
+  scene::Scene faceted = project->scene;
+  auto mesh = std::make_shared<geometry::Mesh>(*faceted.mesh);
+  mesh->normals.clear();
+  faceted.mesh = mesh;
+  for (scene::Material& material : faceted.materials) material.normal_image = nullptr;
+  const auto view = makeViewScene(faceted, caster);
   if (!view) return view.error();
   const auto reference =
       reference::ReferenceScene::make(project->scene, project->scene.luminaires, caster);
@@ -124,6 +131,7 @@ Result<void> runBenchGlossy(BenchGlossyArguments arguments, Session& session) {
     fs::create_directories(output, trouble);
     if (const auto ok = checkResultFile(file("glossy.csv")); !ok) return ok;
   }
+  arguments.methods.seed = arguments.common.seed;
   ProgressBar progress;
   std::vector<design::GlossyPictureRow> pictures;
   if (!arguments.common.project.empty()) {
@@ -131,7 +139,7 @@ Result<void> runBenchGlossy(BenchGlossyArguments arguments, Session& session) {
     if (!found) return found.error();
     pictures = std::move(*found);
   }
-  const auto rows = design::measureGlossy({.seed = arguments.common.seed}, session.job(progress));
+  const auto rows = design::measureGlossy(arguments.methods, session.job(progress));
   if (!rows) return rows.error();
   progress.clear();
   if (!output.empty()) {
@@ -176,6 +184,10 @@ void addBenchGlossyCommand(CLI::App& bench, Session& session) {
       ->check(CLI::Range(1, 1000));
   command->add_option("--paths", arguments->pictures.paths, "Half the path tracer's per pixel")
       ->check(CLI::Range(1, 1 << 24));
+  command
+      ->add_option("--receivers", arguments->methods.receivers,
+                   "Receivers over which the methods are measured")
+      ->check(CLI::Range(1, 1000000));
   command->callback([&session, arguments] {
     session.run = [arguments, &session] { return runBenchGlossy(*arguments, session); };
   });

@@ -43,12 +43,12 @@ ClusteredMatrices::ClusteredMatrices(std::span<const float> visibility, int band
   measured_ = cpca.measuredError(scaled);
 
   for (const CpcaCluster& cluster : cpca.clusters()) {
-    for (std::size_t column = 0; column < columns_; ++column) {
-      const bool there = column <= cluster.variances.size();
-      for (std::size_t k = 0; k < m; ++k) {
+    for (std::size_t k = 0; k < m; ++k) {
+      for (std::size_t column = 0; column < columns_; ++column) {
         const float x = column == 0 ? cluster.mean[k]
-                        : there     ? cluster.components[(column - 1) * m + k]
-                                    : 0.0F;
+                        : column <= cluster.variances.size()
+                            ? cluster.components[(column - 1) * m + k]
+                            : 0.0F;
         basis_.push_back(x / scale[k]);
       }
     }
@@ -84,23 +84,25 @@ void ClusteredMatrices::apply(const sh::RgbCoefficients& light, FloatBlocks& arr
   const std::size_t n = sh::coefficientCount(bands_);
   const std::size_t m = sh::coefficientCount(2 * bands_ - 1);
   assert(arriving.receivers() == slots() && arriving.rows() == 3 * n);
-  std::vector<double> matrix;  // 3 n x m
+  std::vector<float> matrix;  // 3 n x m
   for (const sh::Coefficients& channel : light) {
     assert(channel.size() == n);
-    const std::vector<double> f = fixedLightMatrix(channel, 2 * bands_ - 1);
-    matrix.insert(matrix.end(), f.begin(), f.end());
+    for (const double f : fixedLightMatrix(channel, 2 * bands_ - 1)) {
+      matrix.push_back(static_cast<float>(f));
+    }
   }
-  // Per cluster the light through its mean and components, 3 n x columns.
+  // Per cluster the light through its mean and components, 3 n x columns: columns innermost, so
+  // that the compiler's vectors serve.
   const std::size_t clusters = basis_.size() / (columns_ * m);
-  std::vector<float> through(clusters * 3 * n * columns_);
-  parallelFor(clusters, 1, [&](std::size_t begin, std::size_t end) {
+  std::vector<float> through(clusters * 3 * n * columns_, 0.0F);
+  parallelFor(clusters, 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
       for (std::size_t i = 0; i < 3 * n; ++i) {
-        for (std::size_t column = 0; column < columns_; ++column) {
-          const float* v = basis_.data() + (c * columns_ + column) * m;
-          double sum = 0.0;
-          for (std::size_t k = 0; k < m; ++k) sum += matrix[i * m + k] * static_cast<double>(v[k]);
-          through[(c * 3 * n + i) * columns_ + column] = static_cast<float>(sum);
+        float* out = through.data() + (c * 3 * n + i) * columns_;
+        for (std::size_t k = 0; k < m; ++k) {
+          const float f = matrix[i * m + k];
+          const float* v = basis_.data() + (c * m + k) * columns_;
+          for (std::size_t column = 0; column < columns_; ++column) out[column] += f * v[column];
         }
       }
     }

@@ -71,7 +71,7 @@ void fitRoundLobe(double mean_sine, double mean_cosine, LobeShape& shape) {
   for (int round = 0; round < 12; ++round) {
     double low = 0.25 * kMirrorAlpha;
     double high = 1.0;
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 20; ++i) {
       const double middle = std::sqrt(low * high);
       (cutLobe(axis, middle).mean_cosine > mean_cosine ? low : high) = middle;
     }

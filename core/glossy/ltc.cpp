@@ -17,7 +17,7 @@ constexpr std::size_t kAngles = 17;
 constexpr std::size_t kRoughnesses = 25;
 constexpr double kLeastCosine = 0.02;
 constexpr double kLeastRoughness = 0.05;
-constexpr int kSide = 24;  ///< samples of either density, squared
+constexpr int kSide = 16;  ///< samples of either density, squared
 
 /// What is fitted and what changes slowly with angle and roughness.
 struct Parameters {

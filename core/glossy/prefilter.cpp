@@ -12,8 +12,9 @@
 namespace soffit::glossy {
 namespace {
 
-/// Texels used are at most this wide, in units of the angle over which the lobe changes.
-constexpr double kFineness = 0.35;
+/// A texel is taken as it is where its share of the lobe, times the square of its width in units of
+/// the angle over which the lobe changes, is below this: that is about what its middle may err by.
+constexpr double kLeastShare = 2.0e-3;
 
 /// The reflected lobe at cosine t from its axis.
 double lobeAt(double t, double alpha) {
@@ -90,13 +91,16 @@ class Collector {
     // alpha near the axis.
     const double width = std::sqrt(pyramid_.solidAngle(k));
     const double scale = std::acos(t) - 0.7 * width + 1.2 * alpha_;
-    if (level > 0 && width > kFineness * scale) {
+    const double weight = lobeAt(t, alpha_) * pyramid_.solidAngle(k);
+    const double steps = width / std::max(scale, 0.5 * alpha_);
+    // A coarse texel may hide the axis in a corner.
+    const bool near = std::acos(t) < width;
+    if (level > 0 && (near ? width > 0.35 * alpha_ : weight * steps * steps > kLeastShare)) {
       for (int j = 0; j < 2; ++j) {
         for (int i = 0; i < 2; ++i) visit(level - 1, face, 2 * row + j, 2 * column + i);
       }
       return;
     }
-    const double weight = lobeAt(t, alpha_) * pyramid_.solidAngle(k);
     whole_ += weight;
     indices_->push_back(static_cast<std::uint32_t>(k));
     weights_->push_back(static_cast<float>(weight));

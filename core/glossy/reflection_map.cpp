@@ -82,9 +82,9 @@ ReflectionLevels::ReflectionLevels(int side) : pyramid_(side) {
   for (int step = 0;; ++step) {
     const double alpha =
         std::min(1.0, kSharpest * std::exp2(static_cast<double>(step) / kStepsPerOctave));
-    // Texels of a quarter of the lobe's width: 2 / side across, the lobe about 2 alpha.
+    // Texels of half the lobe's width: 2 / side across, the lobe about 2 alpha.
     int own = 8;
-    while (own < side && 2.0 / own > 0.5 * alpha) own *= 2;
+    while (own < side && 2.0 / own > alpha) own *= 2;
     levels_.emplace_back(pyramid_, own, alpha);
     if (alpha >= 1.0) break;
   }
