@@ -10,11 +10,13 @@
 #include "core/reference/beams.h"
 #include "core/render/lamp_highlights.h"
 #include "core/render/probe_reflections.h"
+#include "core/render/sent_albedo.h"
 #include "core/render/view_renderer.h"
 #include "core/sh/sphere_samples.h"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <functional>
@@ -45,6 +47,7 @@ class Measurement {
       : scene_(scene),
         illumination_(illumination),
         options_(options),
+        sent_(scene),
         pixels_(samplePixels(scene, frame, options.stride, options.samples)),
         matte_(matteLight(pixels_, illumination)) {}
 
@@ -151,7 +154,9 @@ class Measurement {
     const std::size_t n = sh::coefficientCount(bands);
     const std::size_t stored = arriving.rows() / 3;
     glossy::FloatBlocks light(receiver_of.size(), 3 * n);
-    std::vector<glossy::LobeView> lobes(receiver_of.size(), {vec3(0, 0, 1), 0.5F, 0.0F});
+    const glossy::LobeView none{vec3(0, 0, 1), 0.5F, 0.0F};
+    std::array<std::vector<glossy::LobeView>, 2> lobes;  // both parts of the lobe
+    for (auto& part : lobes) part.assign(receiver_of.size(), none);
     for (std::size_t k = 0; k < receiver_of.size(); ++k) {
       if (receiver_of[k] == glossy::kNoSource) continue;
       for (std::size_t i = 0; i < 3 * n; ++i) {
@@ -162,12 +167,18 @@ class Measurement {
       const glossy::LobeShape shape =
           glossy::lobeShape(static_cast<double>(glm::dot(s.point.shading_normal, s.to_eye)),
                             static_cast<double>(m.alpha));
-      lobes[k] = {glossy::lobeAxis(shape, s.point.shading_normal, s.to_eye),
-                  static_cast<float>(shape.alpha),
-                  static_cast<float>(shape.reflectance(static_cast<double>(m.f0)) / shape.above)};
+      const auto view = [&](const glossy::RoundLobe& lobe, double weight) {
+        return glossy::LobeView{glossy::lobeAxis(lobe, s.point.shading_normal, s.to_eye),
+                                static_cast<float>(lobe.alpha),
+                                static_cast<float>(weight / lobe.above)};
+      };
+      lobes[0][k] = view(shape.base, static_cast<double>(m.f0) * shape.scale);
+      lobes[1][k] = view(shape.rise, shape.bias);
     }
-    std::vector<vec3> radiance(receiver_of.size());
-    glossy::shade(light, lobes, radiance);
+    std::vector<vec3> radiance(receiver_of.size()), rise(receiver_of.size());
+    glossy::shade(light, lobes[0], radiance);
+    glossy::shade(light, lobes[1], rise);
+    for (std::size_t k = 0; k < rise.size(); ++k) radiance[k] += rise[k];
     for (vec3& value : radiance) value = glm::max(value, vec3(0.0F));
     return radiance;
   }
@@ -181,7 +192,7 @@ class Measurement {
         const SurfaceSample seen =
             render::sampleSurface(scene_, rays[k], hits[k], {.spread = 0.05F});
         points.push_back(seen.point);
-        albedo.push_back(seen.albedo);
+        albedo.push_back(sent_.of(seen));
       }
       std::vector<vec3> direct(points.size(), vec3(0.0F)), indirect(points.size(), vec3(0.0F));
       illumination_.evaluate(points, direct, indirect);
@@ -208,6 +219,7 @@ class Measurement {
   const render::ViewScene& scene_;
   const render::Illumination& illumination_;
   GlossyPictureOptions options_;
+  render::SentAlbedo sent_;
   PixelSamples pixels_;
   std::vector<vec3> matte_;
   std::vector<vec3> highlights_;

@@ -65,8 +65,11 @@ CutLobe cutLobe(double axis_angle, double alpha) {
 
 /// The axis and the width of the round lobe that, cut, has this mean direction and mean cosine. The
 /// mean cosine falls as alpha grows; the mean direction follows the axis.
-void fitRoundLobe(double mean_sine, double mean_cosine, LobeShape& shape) {
-  const double wanted = std::asin(std::min(1.0, mean_sine));
+RoundLobe fitRoundLobe(const dvec3& mean, double weight) {
+  const double length = glm::length(mean);
+  const double mean_cosine = length / weight;
+  RoundLobe lobe;
+  const double wanted = std::asin(std::clamp(-mean.x / length, 0.0, 1.0));
   double axis = wanted;
   for (int round = 0; round < 12; ++round) {
     double low = 0.25 * kMirrorAlpha;
@@ -75,41 +78,46 @@ void fitRoundLobe(double mean_sine, double mean_cosine, LobeShape& shape) {
       const double middle = std::sqrt(low * high);
       (cutLobe(axis, middle).mean_cosine > mean_cosine ? low : high) = middle;
     }
-    shape.alpha = std::sqrt(low * high);
-    const double found = std::asin(std::clamp(cutLobe(axis, shape.alpha).sine, -1.0, 1.0));
+    lobe.alpha = std::sqrt(low * high);
+    const double found = std::asin(std::clamp(cutLobe(axis, lobe.alpha).sine, -1.0, 1.0));
     // Near the normal the two are proportional, by a small factor for rough lobes.
     axis = std::clamp(axis * wanted / std::max(found, 1.0e-9), 0.0, 0.5 * kPi);
   }
-  shape.axis_sine = std::sin(axis);
-  shape.above = cutLobe(axis, shape.alpha).share;
+  lobe.axis_sine = std::sin(axis);
+  lobe.above = cutLobe(axis, lobe.alpha).share;
+  return lobe;
 }
 
 LobeShape integrate(double cos_view, double alpha, int side) {
   const dvec3 wo(std::sqrt(std::max(0.0, 1.0 - cos_view * cos_view)), 0.0, cos_view);
-  double whole = 0.0;
+  double base = 0.0;
   double rise = 0.0;
-  dvec3 mean(0.0);
+  dvec3 base_mean(0.0);
+  dvec3 rise_mean(0.0);
   for (int i = 0; i < side; ++i) {
     const Tail tail(i, side);
     for (int j = 0; j < side; ++j) {
       const GgxDraw draw = drawGgx(wo, alpha, {1.0 - tail.rest, (j + 0.5) / side});
-      const double weight = tail.weight * draw.weight;
-      whole += weight;
-      rise += weight * schlickRise(draw.cos_h);
-      mean += weight * draw.wi;
+      const double weight = tail.weight * draw.weight / side;
+      const double risen = weight * schlickRise(draw.cos_h);
+      base += weight - risen;
+      rise += risen;
+      base_mean += (weight - risen) * draw.wi;
+      rise_mean += risen * draw.wi;
     }
   }
   LobeShape shape;
-  const double samples = side;
-  shape.scale = (whole - rise) / samples;
-  shape.bias = rise / samples;
-  fitRoundLobe(std::max(0.0, -mean.x / glm::length(mean)), glm::length(mean) / whole, shape);
+  shape.scale = base;
+  shape.bias = rise;
+  shape.base = fitRoundLobe(base_mean, base);
+  shape.rise = fitRoundLobe(rise_mean, rise);
   return shape;
 }
 
 LobeShape mirror(double cos_view) {
   const double rise = schlickRise(cos_view);
-  return {1.0 - rise, rise, std::sqrt(std::max(0.0, 1.0 - cos_view * cos_view)), kMirrorAlpha, 1.0};
+  const RoundLobe sharp{std::sqrt(std::max(0.0, 1.0 - cos_view * cos_view)), kMirrorAlpha, 1.0};
+  return {1.0 - rise, rise, sharp, sharp};
 }
 
 /// Members are kept as what changes slowly: the axis's sine over the mirror direction's,
@@ -135,18 +143,27 @@ struct Table {
         const double cosine = std::min(cosineAt(x), 1.0 - 2.0e-3);
         const double alpha = alphaAt(static_cast<double>(k / kNodes) / (kNodes - 1));
         LobeShape shape = integrate(cosine, alpha, kSide);
-        shape.axis_sine /= sineOf(cosine);
-        shape.alpha /= alpha;
+        for (RoundLobe* lobe : {&shape.base, &shape.rise}) {
+          lobe->axis_sine /= sineOf(cosine);
+          lobe->alpha /= alpha;
+        }
         nodes[k] = shape;
       }
     });
   }
 };
 
+double mix(double a, double b, double t) {
+  return a + t * (b - a);
+}
+
+RoundLobe mix(const RoundLobe& a, const RoundLobe& b, double t) {
+  return {mix(a.axis_sine, b.axis_sine, t), mix(a.alpha, b.alpha, t), mix(a.above, b.above, t)};
+}
+
 LobeShape mix(const LobeShape& a, const LobeShape& b, double t) {
-  const auto between = [t](double p, double q) { return p + t * (q - p); };
-  return {between(a.scale, b.scale), between(a.bias, b.bias), between(a.axis_sine, b.axis_sine),
-          between(a.alpha, b.alpha), between(a.above, b.above)};
+  return {mix(a.scale, b.scale, t), mix(a.bias, b.bias, t), mix(a.base, b.base, t),
+          mix(a.rise, b.rise, t)};
 }
 
 }  // namespace
@@ -168,15 +185,17 @@ LobeShape lobeShape(double cos_view, double alpha) {
   const double s = x - static_cast<double>(i);
   LobeShape shape =
       mix(mix(at[0], at[1], s), mix(at[kNodes], at[kNodes + 1], s), y - static_cast<double>(j));
-  shape.axis_sine = std::min(1.0, shape.axis_sine * Table::sineOf(cosine));
-  shape.alpha = std::min(1.0, shape.alpha * limited);
+  for (RoundLobe* lobe : {&shape.base, &shape.rise}) {
+    lobe->axis_sine = std::min(1.0, lobe->axis_sine * Table::sineOf(cosine));
+    lobe->alpha = std::min(1.0, lobe->alpha * limited);
+  }
   return shape;
 }
 
-vec3 lobeAxis(const LobeShape& shape, const vec3& normal, const vec3& to_eye) {
+vec3 lobeAxis(const RoundLobe& lobe, const vec3& normal, const vec3& to_eye) {
   const vec3 along = glm::dot(to_eye, normal) * normal - to_eye;
   const float length = glm::length(along);
-  const auto sine = static_cast<float>(shape.axis_sine);
+  const auto sine = static_cast<float>(lobe.axis_sine);
   if (length < 1.0e-6F) return normal;
   return (sine / length) * along + std::sqrt(std::max(0.0F, 1.0F - sine * sine)) * normal;
 }

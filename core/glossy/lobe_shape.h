@@ -5,24 +5,31 @@
 
 #include <array>
 
-/// The GGX lobe as two factors: how much it reflects, and a lobe of unit weight that is round about
-/// one direction, so that it can be applied to SH coefficients, cube maps and lookups.
+/// The GGX lobe as two round lobes of unit weight with factors, so that it can be applied to SH
+/// coefficients, cube maps and lookups.
 ///
-/// Light reflected toward wo ~ (f0 scale + bias) / above * integral over the upper half of L times
-/// the round lobe. The first factor is exact under uniform light (split sum; Karis 2013). The round
-/// lobe is the reflected GGX lobe about the axis and of the alpha with which, cut off at the
-/// surface, it has the mean direction and the mean cosine of the true one (which off the normal is
-/// neither round nor about the mirror direction, least of all at grazing angles); `above` is the
-/// share of it that is left. So it is exact under light that varies linearly with direction.
+/// Schlick's F = f0 + (1 - f0) rise parts the lobe: f0 times (1 - rise), and rise. Light reflected
+/// toward wo ~ f0 scale <L>_base + bias <L>_rise, where <L> is the mean of the light above the
+/// surface weighted by a round lobe. The factors are exact under uniform light (split sum; Karis
+/// 2013). Each round lobe is a reflected GGX lobe about the axis and of the alpha with which, cut
+/// off at the surface, it has the mean direction and the mean cosine of its part of the true one:
+/// so the sum is exact under light that varies linearly with direction. One lobe for both would be
+/// wrong by a third at grazing light: the rise of a rough surface of f0 = 0.04 looks 20 degrees
+/// above the horizon where the rest looks 45.
 namespace soffit::glossy {
 
-struct LobeShape {
-  double scale = 1.0;      ///< of f0
-  double bias = 0.0;       ///< for f0 = 0: reflectance is f0 scale + bias
+struct RoundLobe {
   double axis_sine = 0.0;  ///< sine of its axis's angle from the normal
-  double alpha = 0.25;     ///< of the round lobe
-  double above = 1.0;      ///< share of the round lobe above the surface
+  double alpha = 0.25;
+  double above = 1.0;  ///< share of it above the surface: what <L> is divided by
+};
 
+struct LobeShape {
+  double scale = 1.0;  ///< of f0
+  double bias = 0.0;   ///< for f0 = 0
+  RoundLobe base, rise;
+
+  /// Of uniform light.
   [[nodiscard]] double reflectance(double f0) const { return f0 * scale + bias; }
 };
 
@@ -33,14 +40,16 @@ inline constexpr double kMirrorAlpha = 1.0e-3;
 /// [kMirrorAlpha, 1].
 LobeShape integrateLobe(double cos_view, double alpha);
 
-/// The same from a table of 33 x 33 (made once, on all threads, in about 1 s of one core): against
+/// The same from a table of 33 x 33 (made once, on all threads, in about 2 s of one core): against
 /// integrateLobe() at cos_view >= 0.02 scale and bias are within 0.005 (at grazing angles; 0.001
-/// elsewhere), axis_sine within 0.015, alpha within 2 %, above within 0.02. Mirrors are exact;
-/// cos_view and alpha are clamped to their ranges.
+/// elsewhere), the base's axis_sine within 0.02, its alpha within 6 %, its share above within 0.05;
+/// the rise's as well, times its share of the reflectance of f0 = 0.04 (about the normal, where it
+/// is a ring, it has nearly none). Mirrors are exact; cos_view and alpha are clamped to their
+/// ranges.
 LobeShape lobeShape(double cos_view, double alpha);
 
 /// The axis of the lobe for light that leaves toward `to_eye` over the unit normal.
-vec3 lobeAxis(const LobeShape& shape, const vec3& normal, const vec3& to_eye);
+vec3 lobeAxis(const RoundLobe& lobe, const vec3& normal, const vec3& to_eye);
 
 /// k_l of the reflected lobe for degrees 0 .. 9, from a table over alpha: within 0.01, the error of
 /// alpha rounded to 1/1024.

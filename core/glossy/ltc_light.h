@@ -19,9 +19,9 @@ class LobeFrame {
 
   /// Share of the lobe of unit weight that a polygon fills, seen from its front: counter-clockwise
   /// seen from its emitting side, in metres, convex or not; 0 from behind. What is below the
-  /// receiver's horizon is cut off. Times luminance and the lobe's reflectance
-  /// (LobeShape::reflectance()) and the share of the polygon that is not hidden this is the
-  /// highlight's radiance.
+  /// receiver's horizon is cut off. Times luminance, Fresnel's term and the lobe's
+  /// weight without it (LobeShape::scale + bias) and the share of the polygon that is not hidden
+  /// this is the highlight's radiance.
   ///
   /// Error against numerical integration of GGX, RMS over lights of 0.3 to 2 m at 0.5 to 3 m about
   /// the reflected direction, as a share of the lobe's weight (tests/core/glossy/ltc_light_test):

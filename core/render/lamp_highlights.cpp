@@ -61,11 +61,21 @@ float unhidden(const ViewScene& scene, std::size_t e, const Lobe& lobe, int rays
   return weights > 0.0F ? reached / weights : 0.0F;
 }
 
+dvec3 middleOf(const light::Emitter& emitter) {
+  return emitter.bounds.empty() ? emitter.position : dvec3(emitter.bounds.center());
+}
+
+float fresnelToward(const SurfaceSample& at, const dvec3& place, float f0) {
+  const vec3 wi = glm::normalize(vec3(place) - at.point.position);
+  const vec3 both = wi + at.to_eye;
+  const float length = glm::length(both);
+  return length > 0.0F ? schlick(f0, glm::dot(wi, both) / length) : 1.0F;
+}
+
 /// Luminance toward p as the luminaire's middle shows it.
 vec3 luminanceToward(const ViewScene& scene, std::size_t e, const dvec3& p) {
   const light::Emitter& emitter = scene.emitters()[e];
-  const dvec3 middle(emitter.bounds.empty() ? vec3(emitter.position) : emitter.bounds.center());
-  const dvec3 to = glm::normalize(p - middle);
+  const dvec3 to = glm::normalize(p - middleOf(emitter));
   dvec3 normal = to;  // round shapes and meshes: the side that faces p
   if (emitter.kind == light::EmitterKind::planar) normal = emitter.normal;
   return scene.emitted(static_cast<int>(e), vec3(normal), vec3(to));
@@ -83,8 +93,8 @@ vec3 lampHighlights(const ViewScene& scene, const SurfaceSample& at, float f0, f
   const double cosine = glm::dot(normal, eye);
   if (cosine <= 0.0) return vec3(0.0F);
   const Lobe lobe(at, f0, alpha);
-  const auto reflectance = static_cast<float>(
-      glossy::lobeShape(cosine, static_cast<double>(alpha)).reflectance(static_cast<double>(f0)));
+  const glossy::LobeShape shape = glossy::lobeShape(cosine, static_cast<double>(alpha));
+  const auto whole = static_cast<float>(shape.scale + shape.bias);  // with F = 1, as is fitted
   std::optional<glossy::LobeFrame> frame;
   vec3 sum(0.0F);
   for (std::size_t e = 0; e < scene.emitters().size(); ++e) {
@@ -100,7 +110,9 @@ vec3 lampHighlights(const ViewScene& scene, const SurfaceSample& at, float f0, f
       double share = 0.0;
       for (const auto& outline : glossy::facingOutlines(emitter, p)) share += frame->share(outline);
       if (!(share > 0.0)) continue;
-      carried = luminanceToward(scene, e, p) * (reflectance * static_cast<float>(share));
+      // Fresnel's term of the luminaire's middle: over a lobe it may vary tenfold, over a lamp not.
+      const float fresnel = fresnelToward(at, middleOf(emitter), f0);
+      carried = luminanceToward(scene, e, p) * (fresnel * whole * static_cast<float>(share));
     }
     if (color::luminance(carried) < options.least_radiance) continue;
     sum += carried * unhidden(scene, e, lobe, options.shadow_rays);

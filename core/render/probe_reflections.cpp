@@ -3,6 +3,7 @@
 
 #include "core/glossy/first_hits.h"
 #include "core/glossy/lobe_shape.h"
+#include "core/render/sent_albedo.h"
 #include "core/sh/cube_map.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ ProbeReflections::ProbeReflections(const ViewScene& scene, std::span<const vec3>
     : scene_(scene), room_(room), levels_(std::move(levels)) {
   const int side = levels_->pyramid().side();
   const auto samples = std::make_shared<const sh::SphereSamples>(sh::cubeSamples(side));
+  const SentAlbedo albedo(scene);
   const glossy::FirstHits first(scene.caster(), probes, {}, samples);
   for (std::size_t i = 0; i < probes.size(); ++i) {
     Probe probe;
@@ -39,7 +41,7 @@ ProbeReflections::ProbeReflections(const ViewScene& scene, std::span<const vec3>
       const SurfaceSample seen =
           sampleSurface(scene, ray, hit, {.spread = 2.0F / static_cast<float>(side)});
       probe.places.push_back(seen.point);
-      probe.albedo.push_back(seen.albedo);
+      probe.albedo.push_back(albedo.of(seen));
       probe.texel.push_back(static_cast<std::uint32_t>(k));
     }
     probe.depth.emplace(side, std::move(distances));
@@ -73,8 +75,10 @@ vec3 ProbeReflections::reflected(const SurfaceSample& at, float f0, float alpha)
   const vec3& p = at.point.position;
   const glossy::LobeShape shape = glossy::lobeShape(
       static_cast<double>(glm::dot(normal, at.to_eye)), static_cast<double>(alpha));
-  const vec3 axis = glossy::lobeAxis(shape, normal, at.to_eye);
-
+  // Both parts of the lobe (lobe_shape.h), with what they weigh.
+  const std::array<glossy::RoundLobe, 2> parts{shape.base, shape.rise};
+  const std::array<float, 2> weight_of{f0 * static_cast<float>(shape.scale),
+                                       static_cast<float>(shape.bias)};
   std::array<std::pair<float, const Probe*>, kMostProbes> chosen{};
   std::pair<float, const Probe*> nearest{-1.0F, nullptr};
   for (const Probe& probe : probes_) {
@@ -90,10 +94,13 @@ vec3 ProbeReflections::reflected(const SurfaceSample& at, float f0, float alpha)
   vec3 sum(0.0F);
   float weights = 0.0F;
   const auto add = [&](float weight, const Probe& probe) {
-    const float far = glossy::distanceToBox(room_, p, axis).value_or(room_.diagonal());
-    const glossy::Lookup lookup = probe.depth->throughDepth(probe.position, p, axis, far);
-    const float width = static_cast<float>(shape.alpha) * lookup.width;
-    sum += weight * probe.map->at(lookup.direction, std::min(width, 1.0F));
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const vec3 axis = glossy::lobeAxis(parts[k], normal, at.to_eye);
+      const float far = glossy::distanceToBox(room_, p, axis).value_or(room_.diagonal());
+      const glossy::Lookup lookup = probe.depth->throughDepth(probe.position, p, axis, far);
+      const float width = static_cast<float>(parts[k].alpha) * lookup.width;
+      sum += weight * weight_of[k] * probe.map->at(lookup.direction, std::min(width, 1.0F));
+    }
     weights += weight;
   };
   for (const auto& [weight, probe] : chosen) {
@@ -101,7 +108,7 @@ vec3 ProbeReflections::reflected(const SurfaceSample& at, float f0, float alpha)
   }
   if (weights <= 0.0F && nearest.second != nullptr) add(nearest.first, *nearest.second);
   if (weights <= 0.0F) return vec3(0.0F);
-  return static_cast<float>(shape.reflectance(static_cast<double>(f0))) / weights * sum;
+  return sum / weights;
 }
 
 std::vector<vec3> probeGrid(const ViewScene& scene, const Box& room, float spacing) {

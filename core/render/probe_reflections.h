@@ -19,8 +19,8 @@ namespace soffit::render {
 /// up where the reflected ray meets what the probes see (core/glossy).
 ///
 /// What probes see first is found once; a light that moves needs the light at those places anew and
-/// no ray. Maps show diffuse surfaces and no luminaires, whose highlights are added for each point
-/// (lamp_highlights.h).
+/// no ray. Maps show surfaces as SentAlbedo has them, and no luminaires, whose highlights are added
+/// for each point (lamp_highlights.h).
 class ProbeReflections {
  public:
   /// scene outlives this. probes: in its frame, not in walls. room: the box that reflections are
