@@ -95,37 +95,32 @@ void ApplyMatrix(const transfer::Half* matrix, bool symmetric, std::size_t n, Bl
   }
 }
 
-/// Eight rows at a time: each number of the receivers is read and widened once for all.
-void MultiplyRows(const float* matrix, std::size_t rows, std::size_t columns,
-                  const transfer::Half* in, float* out) {
-  constexpr std::size_t kRows = 8;
+/// Rows first .. first + Rows: each number of the receivers is read and widened once for all of
+/// them, whose sums stay in registers.
+template <std::size_t Rows>
+HWY_INLINE void multiplyRows(const float* matrix, std::size_t first, std::size_t columns,
+                             const transfer::Half* in, float* out) {
   for (std::size_t lane = 0; lane < kBlock; lane += hn::Lanes(d)) {
-    for (std::size_t first = 0; first < rows; first += kRows) {
-      // The last group goes back so far that it is whole; it writes some rows again.
-      const std::size_t i = rows < kRows ? 0 : std::min(first, rows - kRows);
-      const std::size_t count = std::min(kRows, rows);
-      V sum[kRows];
-      for (V& v : sum) v = hn::Zero(d);
-      if (count == kRows) {
-        for (std::size_t k = 0; k < columns; ++k) {
-          const V x = loadHalf(in + k * kBlock + lane);
-          for (std::size_t a = 0; a < kRows; ++a) {
-            sum[a] = hn::MulAdd(hn::Set(d, matrix[(i + a) * columns + k]), x, sum[a]);
-          }
-        }
-      } else {
-        for (std::size_t k = 0; k < columns; ++k) {
-          const V x = loadHalf(in + k * kBlock + lane);
-          for (std::size_t a = 0; a < count; ++a) {
-            sum[a] = hn::MulAdd(hn::Set(d, matrix[(i + a) * columns + k]), x, sum[a]);
-          }
-        }
-      }
-      for (std::size_t a = 0; a < count; ++a) {
-        hn::StoreU(sum[a], d, out + (i + a) * kBlock + lane);
+    V sum[Rows];
+    for (V& v : sum) v = hn::Zero(d);
+    for (std::size_t k = 0; k < columns; ++k) {
+      const V x = loadHalf(in + k * kBlock + lane);
+      for (std::size_t a = 0; a < Rows; ++a) {
+        sum[a] = hn::MulAdd(hn::Set(d, matrix[(first + a) * columns + k]), x, sum[a]);
       }
     }
+    for (std::size_t a = 0; a < Rows; ++a) {
+      hn::StoreU(sum[a], d, out + (first + a) * kBlock + lane);
+    }
   }
+}
+
+void MultiplyRows(const float* matrix, std::size_t rows, std::size_t columns,
+                  const transfer::Half* in, float* out) {
+  std::size_t i = 0;
+  for (; i + 8 <= rows; i += 8) multiplyRows<8>(matrix, i, columns, in, out);
+  for (; i + 3 <= rows; i += 3) multiplyRows<3>(matrix, i, columns, in, out);
+  for (; i < rows; ++i) multiplyRows<1>(matrix, i, columns, in, out);
 }
 
 void Dot(const float* basis, const float* arriving, std::size_t n, float* radiance) {
