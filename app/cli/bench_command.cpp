@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/cli/bench_glossy_command.h"
 #include "app/cli/bench_prt_command.h"
 #include "app/cli/bench_report.h"
 #include "app/cli/bench_sh_command.h"
@@ -133,8 +134,9 @@ void addBenchCommand(CLI::App& app, Session& session) {
       ->capture_default_str();
   addBenchPrtCommand(*command, session);
   addBenchShCommand(*command, session);
+  addBenchGlossyCommand(*command, session);
   command->callback([&session, arguments, command] {
-    if (!command->get_subcommands().empty()) return;
+    if (!command->get_subcommands().empty()) return;  // theirs was called
     session.run = [arguments, &session] { return runBench(*arguments, session); };
   });
 }

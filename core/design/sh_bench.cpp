@@ -1,44 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/design/sh_bench.h"
 
+#include "core/design/median_time.h"
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cmath>
 
 namespace soffit::design {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsOf(const std::function<void()>& run, int times) {
-  const auto start = Clock::now();
-  for (int i = 0; i < times; ++i) run();
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Median over batches that are each long enough for the clock (20 microseconds).
-double medianSeconds(const std::function<void()>& run, double budget_s) {
-  int times = 1;
-  double once = secondsOf(run, 1);
-  while (once < 2e-5 && times < 1 << 20) {
-    times *= 2;
-    once = secondsOf(run, times);
-  }
-  std::vector<double> all;
-  for (double spent = 0.0; all.size() < 3 || spent < budget_s;) {
-    const double batch = secondsOf(run, times);
-    spent += batch;
-    all.push_back(batch / times);
-  }
-  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2),
-                   all.end());
-  return all[all.size() / 2];
-}
-
-}  // namespace
 
 Result<std::vector<ShBenchRow>> measureSh(const ShBenchOptions& options, const Job& job) {
   const std::vector<ShBenchCase> cases = shBenchCases(options.seed);

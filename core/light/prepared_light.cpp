@@ -107,6 +107,19 @@ bool isParallelogram(const Emitter& e, const Frame& f) {
   return std::abs(e.area - glm::length(glm::cross(f.u, f.v))) <= 1e-9 * e.area;
 }
 
+/// Moves points so that their mean is the shape's middle: what varies linearly over the light, as a
+/// narrow beam's edge does, is then exact however few they are. (One point of a disk by its area
+/// lies 0.7 radii off: a spot of 4 cm erred by 10 % at the edge of its beam.)
+void centre(const Emitter& e, std::vector<vec3>& places) {
+  const bool symmetric = e.kind == EmitterKind::sphere || e.kind == EmitterKind::tube ||
+                         (e.kind == EmitterKind::planar && e.disk);
+  if (!symmetric || e.lambertian) return;
+  dvec3 mean(0.0);
+  for (const vec3& place : places) mean += dvec3(place) / static_cast<double>(places.size());
+  const vec3 shift(e.position - mean);
+  for (vec3& place : places) place += shift;
+}
+
 /// N points by area, low-discrepancy, neighbours together; `weight` shares the area evenly.
 PointLightSamples samplesByArea(const Emitter& e, int count) {
   std::vector<EmitterSample> found;
@@ -116,6 +129,7 @@ PointLightSamples samplesByArea(const Emitter& e, int count) {
     found.push_back(sampleByArea(e, u));
     places.emplace_back(found.back().point);
   }
+  centre(e, places);
   PointLightSamples s;
   for (const std::uint32_t i : orderByPlace(places)) {
     s.x.push_back(places[i].x);

@@ -48,6 +48,12 @@ Tracer::Tracer(const ReferenceScene& scene, const dvec3& origin, const Response&
   sensor_choice_.prepare(scene.lights(), origin_, response.horizon());
 }
 
+Tracer::Tracer(const ReferenceScene& scene, const Beam& beam)
+    : scene_(scene),
+      origin_(vec3(beam.origin)),
+      response_(Quantity::spherical, dvec3(0.0, 0.0, 1.0)),
+      beam_(beam) {}
+
 dvec3 Tracer::draw(std::uint32_t path, std::uint32_t vertex, std::uint32_t group) {
   if (vertex < kStratifiedDepth) {
     const std::uint64_t key = seed_ + kGroupsPerVertex * vertex + group;
@@ -79,6 +85,10 @@ void Tracer::start(std::uint32_t paths) {
   paths_.clear();
   shadows_.clear();
   sky_shadows_.clear();
+  if (beam_) {
+    startBeam(paths);
+    return;
+  }
   for (std::uint32_t i = 0; i < paths; ++i) {
     const dvec3 u = draw(i, 0, kDirection);
     const dvec3 w = response_.sample({u.x, u.y});
@@ -91,6 +101,19 @@ void Tracer::start(std::uint32_t paths) {
     if (scene_.sky() != nullptr) {
       sendSky(origin_, draw(i, 0, kSky), draw(i, 0, kSun), nullptr, dvec3(0.0), dvec3(1.0));
     }
+  }
+}
+
+void Tracer::startBeam(std::uint32_t paths) {
+  const auto tent = [](double u) {
+    return u < 0.5 ? std::sqrt(2.0 * u) - 1.0 : 1.0 - std::sqrt(2.0 - 2.0 * u);
+  };
+  for (std::uint32_t i = 0; i < paths; ++i) {
+    const dvec3 u = draw(i, 0, kDirection);
+    const dvec3 w =
+        glm::normalize(beam_->direction + tent(u.x) * beam_->across + tent(u.y) * beam_->up);
+    // Density 0, as after a mirror: no light is aimed at along a line.
+    paths_.push_back({i, origin_, dvec3(0.0), w, dvec3(1.0), 0.0});
   }
 }
 

@@ -9,6 +9,7 @@
 #include "core/reference/reference_scene.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace soffit::reference {
@@ -18,6 +19,15 @@ struct Tally {
   dvec3 direct{0.0};    ///< without reflection
   dvec3 indirect{0.0};  ///< after at least one
   std::uint64_t rays = 0;
+};
+
+/// A line of sight, for radiance instead of illuminance: what an eye sees of surfaces.
+struct Beam {
+  dvec3 origin{0.0};
+  dvec3 direction{1.0, 0.0, 0.0};  ///< unit, from the eye
+  /// Directions are drawn about it as direction + a across + b up with tent-shaped densities of a
+  /// and b over [-1, 1]: a pixel of a reconstruction filter (core/render). Zero: the line alone.
+  dvec3 across{0.0}, up{0.0};
 };
 
 /// Traces paths backwards from one sensor, many at a time (rays of one bounce in one packet run).
@@ -36,6 +46,10 @@ class Tracer {
  public:
   /// origin: where rays start (placeSensors()). The scene must outlive the tracer.
   Tracer(const ReferenceScene& scene, const dvec3& origin, const Response& response);
+
+  /// For a beam (relative to the mesh's origin). The tally is radiance, cd/m2: `direct` of
+  /// luminaires and surroundings that are looked at, `indirect` of surfaces.
+  Tracer(const ReferenceScene& scene, const Beam& beam);
 
   /// The mean of `paths` paths; best a power of two. The same seed gives the same paths, different
   /// seeds independent ones.
@@ -73,6 +87,7 @@ class Tracer {
   };
 
   void start(std::uint32_t paths);
+  void startBeam(std::uint32_t paths);
   void traceShadows();
   void traceSkyShadows();
   void traceRays();
@@ -99,6 +114,7 @@ class Tracer {
   const ReferenceScene& scene_;
   dvec3 origin_;
   Response response_;
+  std::optional<Beam> beam_;  ///< then the response does not matter
   LightChoice sensor_choice_;
   LightChoice choice_;
   std::vector<Path> paths_;

@@ -151,6 +151,41 @@ TEST(PreparedLight, SixteenAtOnceAreEachOnTheirOwn) {
   }
 }
 
+TEST(PreparedLight, ANarrowBeamFromADiskIsAsWideAsItIs) {
+  // A spot whose intensity falls to 1/1000 within 30 degrees, seen about its beam's edge from two
+  // metres and more, where one point stands for its disk of 4 cm.
+  auto table = std::make_shared<photometry::IntensityDistribution>();
+  table->c_deg = {0.0};
+  for (int gamma = 0; gamma <= 90; ++gamma) {
+    table->gamma_deg.push_back(gamma);
+    table->candela.push_back(1000.0 * std::exp(-std::pow(gamma / 11.5, 2.0)));
+  }
+  Luminaire spot;
+  spot.position = {0.0, 0.0, 2.5};
+  spot.distribution = {DistributionKind::ies, "spot.ies", table};
+  for (const Shape& shape : {Shape(Disk{0.04}), Shape(Sphere{0.04}), Shape(Tube{0.08, 0.02})}) {
+    spot.shape = shape;
+    const Emitter e = *makeEmitter(spot);
+    const PreparedLight light(e);
+    std::array<std::array<float, 16>, 6> v{};
+    for (std::size_t i = 0; i < 16; ++i) {
+      const float angle = 0.3927F * static_cast<float>(i);
+      v[0][i] = 1.2F * std::cos(angle);
+      v[1][i] = 1.2F * std::sin(angle);
+      v[5][i] = 1.0F;
+    }
+    EXPECT_EQ(light.samples(light.sampleLevel(2.5F)).size(), 1U);
+    double lux[16];
+    light.unoccluded({v[0].data(), v[1].data(), v[2].data(), v[3].data(), v[4].data(), v[5].data()},
+                     2.5F, lux);
+    for (std::size_t i = 0; i < 16; ++i) {
+      const double exact = unoccludedIlluminance(e, {v[0][i], v[1][i], 0.0}, {0.0, 0.0, 1.0});
+      // What is left is of second order in size / (distance x width of the beam), 0.04 / 0.5.
+      EXPECT_NEAR(lux[i] / exact, 1.0, 0.01) << shape.index() << ' ' << i;
+    }
+  }
+}
+
 /// A closed ball with bumps, about 2 n^2 triangles, of some 0.25 m in radius.
 std::shared_ptr<geometry::Mesh> bumpyBall(int n) {
   auto mesh = std::make_shared<geometry::Mesh>();

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/bench_glossy_command.h"
+
+#include "app/cli/common_options.h"
+#include "app/cli/engine.h"
+#include "app/cli/output.h"
+#include "app/cli/picture_setup.h"
+#include "app/cli/progress_bar.h"
+#include "core/design/glossy_bench.h"
+#include "core/design/glossy_pictures.h"
+#include "core/io/project/json.h"
+#include "core/render/engine_light.h"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace soffit::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BenchGlossyArguments {
+  CommonOptions common;
+  std::string camera, size = "1280x800";
+  design::GlossyPictureOptions pictures;
+  design::GlossyBenchOptions methods;
+};
+
+std::string tableOf(const std::vector<design::GlossyBenchRow>& rows) {
+  std::string text = fmt::format("{:<11} {:<62} {:>5} {:>6} {:>9} {:>9} {:>9}\n", "task", "method",
+                                 "bands", "items", "ms", "MB", "RMS error");
+  for (const design::GlossyBenchRow& r : rows) {
+    text += fmt::format("{:<11} {:<62} {:>5} {:>6} {:>9.3f} {:>9.2f} {:>9.1e}\n", r.task, r.method,
+                        r.bands, r.items, r.ms, static_cast<double>(r.bytes) / 1e6, r.rms_error);
+  }
+  return text;
+}
+
+std::string tableOf(const std::vector<design::GlossyPictureRow>& rows) {
+  std::string text =
+      fmt::format("{:<20} {:<28} {:<28} {:>6} {:>8} {:>7} {:>7} {:>7} {:>7}\n", "camera", "method",
+                  "part", "pixels", "cd/m2", "RMS %", "bias %", "noise %", "s");
+  for (const design::GlossyPictureRow& r : rows) {
+    text += fmt::format("{:<20} {:<28} {:<28} {:>6} {:>8.2f} {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f}\n",
+                        r.camera, r.method, r.part, r.pixels, r.mean, 100 * r.rms, 100 * r.bias,
+                        100 * r.noise, r.seconds);
+  }
+  return text;
+}
+
+io::Json jsonOf(const std::vector<design::GlossyBenchRow>& rows,
+                const std::vector<design::GlossyPictureRow>& pictures) {
+  io::JsonArray list;
+  for (const design::GlossyBenchRow& r : rows) {
+    list.push_back(io::Json::object({{"task", r.task},
+                                     {"method", r.method},
+                                     {"bands", r.bands},
+                                     {"items", r.items},
+                                     {"ms", r.ms},
+                                     {"bytes", r.bytes},
+                                     {"rms_error", r.rms_error}}));
+  }
+  io::JsonArray seen;
+  for (const design::GlossyPictureRow& r : pictures) {
+    seen.push_back(io::Json::object({{"camera", r.camera},
+                                     {"method", r.method},
+                                     {"part", r.part},
+                                     {"pixels", r.pixels},
+                                     {"mean", r.mean},
+                                     {"rms", r.rms},
+                                     {"bias", r.bias},
+                                     {"noise", r.noise},
+                                     {"seconds", r.seconds}}));
+  }
+  return io::Json::object({{"rows", list}, {"pictures", seen}});
+}
+
+/// The pictures of one camera, or of all, of the project's shown layout.
+Result<std::vector<design::GlossyPictureRow>> picturesOf(BenchGlossyArguments& arguments,
+                                                         Session& session, ProgressBar& progress) {
+  const auto size = parseSize(arguments.size);
+  if (!size) return size.error();
+  std::tie(arguments.pictures.width, arguments.pictures.height) = *size;
+  arguments.pictures.seed = arguments.common.seed;
+  const auto project = loadForCommand(arguments.common, session, &progress);
+  if (!project) return project.error();
+  const Job job = session.job(progress);
+  std::vector<scene::Camera> cameras = project->scene.cameras;
+  if (!arguments.camera.empty() || cameras.empty()) {
+    const auto chosen = chooseCamera(project->scene, arguments.camera);
+    if (!chosen) return chosen.error();
+    cameras = {*chosen};
+  }
+  const auto engine = makeEngine(*project, arguments.common, true, job, session);
+  if (!engine) return engine.error();
+  const std::shared_ptr<const relight::Lighting> lighting = engine->lighting;
+  const std::shared_ptr<const geometry::RayCaster> caster(lighting,
+                                                          &lighting->solver().scene().caster);
+  // The path tracer knows flat triangles alone: so do the pictures here.
+  scene::Scene faceted = project->scene;
+  auto mesh = std::make_shared<geometry::Mesh>(*faceted.mesh);
+  mesh->normals.clear();
+  faceted.mesh = mesh;
+  for (scene::Material& material : faceted.materials) material.normal_image = nullptr;
+  const auto view = makeViewScene(faceted, caster);
+  if (!view) return view.error();
+  const auto reference =
+      reference::ReferenceScene::make(project->scene, project->scene.luminaires, caster);
+  if (!reference) return reference.error();
+  const render::EngineLight light(lighting);
+  std::vector<design::GlossyPictureRow> rows;
+  for (const scene::Camera& camera : cameras) {
+    const auto found =
+        design::measureGlossyPictures(**view, light, *reference, camera, arguments.pictures, job);
+    if (!found) return found.error();
+    rows.insert(rows.end(), found->begin(), found->end());
+  }
+  return rows;
+}
+
+Result<void> runBenchGlossy(BenchGlossyArguments arguments, Session& session) {
+  const std::string& output = arguments.common.output;
+  const auto file = [&](const char* name) {
+    return output.empty() ? std::string() : (fs::path(output) / name).string();
+  };
+  if (!output.empty()) {
+    std::error_code trouble;
+    fs::create_directories(output, trouble);
+    if (const auto ok = checkResultFile(file("glossy.csv")); !ok) return ok;
+  }
+  arguments.methods.seed = arguments.common.seed;
+  ProgressBar progress;
+  std::vector<design::GlossyPictureRow> pictures;
+  if (!arguments.common.project.empty()) {
+    auto found = picturesOf(arguments, session, progress);
+    if (!found) return found.error();
+    pictures = std::move(*found);
+  }
+  const auto rows = design::measureGlossy(arguments.methods, session.job(progress));
+  if (!rows) return rows.error();
+  progress.clear();
+  if (!output.empty()) {
+    if (const auto ok = writeResult(file("glossy.csv"), design::formatGlossyBenchRows(*rows));
+        !ok) {
+      return ok;
+    }
+    if (!pictures.empty()) {
+      const auto ok =
+          writeResult(file("glossy_pictures.csv"), design::formatGlossyPictureRows(pictures));
+      if (!ok) return ok;
+    }
+  }
+  if (arguments.common.json) {
+    return writeResult("", io::formatJsonLine(jsonOf(*rows, pictures)) + "\n");
+  }
+  return writeResult("", (pictures.empty() ? "" : tableOf(pictures) + "\n") + tableOf(*rows));
+}
+
+}  // namespace
+
+void addBenchGlossyCommand(CLI::App& bench, Session& session) {
+  CLI::App* command = bench.add_subcommand(
+      "glossy",
+      "Reflections: time, memory and error of each method; pictures of a project by each");
+  auto arguments = std::make_shared<BenchGlossyArguments>();
+  command->add_option("P", arguments->common.project,
+                      "Project whose pictures are compared with the path tracer; none without");
+  command
+      ->add_option("-o,--output", arguments->common.output,
+                   "Folder for glossy.csv and glossy_pictures.csv")
+      ->type_name("FOLDER");
+  addLayoutOption(*command, arguments->common);
+  addSetOption(*command, arguments->common);
+  addSeedOption(*command, arguments->common);
+  addJsonOption(*command, arguments->common);
+  command->add_option("--camera", arguments->camera, "One camera instead of all");
+  command->add_option("--size", arguments->size, "Pixels of the pictures")->type_name("WxH");
+  command
+      ->add_option("--stride", arguments->pictures.stride,
+                   "Every so many pixels both ways are compared")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--paths", arguments->pictures.paths, "Half the path tracer's per pixel")
+      ->check(CLI::Range(1, 1 << 24));
+  command
+      ->add_option("--receivers", arguments->methods.receivers,
+                   "Receivers over which the methods are measured")
+      ->check(CLI::Range(1, 1000000));
+  command->callback([&session, arguments] {
+    session.run = [arguments, &session] { return runBenchGlossy(*arguments, session); };
+  });
+}
+
+}  // namespace soffit::cli
