@@ -94,7 +94,9 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
   }
   emitters_ = std::move(emitters);
   entries_ = std::move(entries);
+  lamps_.reset();
   if (!keep) {
+    sky_transfer_.reset();
     if (auto done = computeOutdoors(job); !done) return done;
   }
   grabbed_ = static_cast<std::size_t>(-1);
@@ -109,6 +111,8 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
 
 Result<void> Lighting::repaint(std::shared_ptr<const Solver> solver, const Job& job) {
   solver_ = std::move(solver);
+  sky_transfer_.reset();
+  lamps_.reset();
   grabbed_ = static_cast<std::size_t>(-1);
   const std::vector<float> open = openShare();
   for (Entry& entry : entries_) entry.ready = false;
@@ -168,6 +172,7 @@ std::optional<Planes> Lighting::totalUnder(const Solver& painted) const {
 void Lighting::setMix(std::size_t i, double gain, const dvec3& color) {
   emitters_[i].gain = gain;
   emitters_[i].color = color;
+  lamps_.reset();
   if (gain > 0.0 && !entries_[i].ready) compute(i);
 }
 
@@ -203,6 +208,7 @@ void Lighting::grab(std::size_t index) {
 
 StageTimes Lighting::move(const light::Emitter& emitter, light::DirectCounts* counts) {
   StageTimes times;
+  lamps_.reset();
   emitters_[grabbed_] = emitter;
   Entry& entry = entries_[grabbed_];
   if (emitter.casts_shadow) entry.body = bodyBlockers(emitter);

@@ -7,6 +7,7 @@
 #include "core/relight/light_sum.h"
 #include "core/relight/outdoors.h"
 #include "core/relight/sensors.h"
+#include "core/relight/sky_transfer.h"
 #include "core/relight/solver.h"
 
 #include <memory>
@@ -32,12 +33,16 @@ class Lighting {
   Result<void> setLuminaires(std::span<const light::Luminaire> luminaires, const Job& job = {});
 
   /// What shines in from outside from now on, null: nothing. Its light is computed here, luminaires
-  /// stay as they are; another sky over the same building takes no rays but the sun's. The body of a
-  /// luminaire shades the sun, and not the sky; while one is in hand, the sun's shadow of its body
-  /// stays where it was.
-  /// Errors: cancelled; nothing shines in then.
+  /// stay as they are; another sky over the same building takes no rays but the sun's. The body of
+  /// a luminaire shades the sun, and not the sky; while one is in hand, the sun's shadow of its
+  /// body stays where it was. Errors: cancelled; nothing shines in then.
   Result<void> setEnvironment(std::shared_ptr<const daylight::Environment> environment,
                               const Job& job = {});
+  /// The total under other surroundings while a slider turns or changes them: smooth light as a mix
+  /// of columns (sky_transfer.h, made at the first call), the brightest discs exactly; nothing but
+  /// the columns is kept. Takes no rays after the first call.
+  /// Errors: cancelled.
+  Result<Planes> totalUnderSky(const daylight::Environment& environment, const Job& job = {});
   [[nodiscard]] const daylight::Environment* environment() const { return environment_.get(); }
   /// Direct light of the sky at the texels, RGB lux, the sun left out; empty without surroundings.
   [[nodiscard]] const Planes& skyDirect() const { return outdoors_.sky; }
@@ -106,6 +111,8 @@ class Lighting {
   std::vector<Entry> entries_;
   std::shared_ptr<const daylight::Environment> environment_;
   Outdoors outdoors_;
+  std::shared_ptr<const SkyTransfer> sky_transfer_;  ///< null: not asked for
+  std::optional<LightSum> lamps_;                    ///< all luminaires, while a sky is in hand
   std::size_t grabbed_ = static_cast<std::size_t>(-1);
   LightSum rest_;
   Planes moved_;
