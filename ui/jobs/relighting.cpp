@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "ui/jobs/relighting.h"
 
+#include "core/scene/equality.h"
 #include "ui/document/text.h"
 
 #include <algorithm>
 
 namespace soffit::ui {
+namespace {
+
+bool sameOutside(const scene::Scene& a, const scene::Scene& b) {
+  return a.environment.has_value() == b.environment.has_value() &&
+         (!a.environment || scene::same(*a.environment, *b.environment));
+}
+
+}  // namespace
 
 Relighting::Relighting(Document& document, bool use_cache, QObject* parent)
     : QObject(parent), document_(document), worker_(use_cache) {
@@ -21,7 +30,7 @@ Relighting::Relighting(Document& document, bool use_cache, QObject* parent)
 }
 
 bool Relighting::isCurrent() const {
-  return frame_ != nullptr && frame_->revision == revision_;
+  return frame_ != nullptr && frame_->revision == revision_ && frame_->complete;
 }
 
 void Relighting::request() {
@@ -31,8 +40,11 @@ void Relighting::request() {
   request.luminaires = document_.litLuminaires();
   request.probes = document_.probes();
   request.revision = ++revision_;
-  request.stops_older = !document_.previewing() || document_.selection().size() <= 1;
-  if (document_.previewing() && document_.selection().size() == 1) {
+  if (!document_.previewing()) settled_ = document_.scene();
+  request.outside_in_hand = document_.previewing() && !sameOutside(*settled_, *document_.scene());
+  request.stops_older =
+      !document_.previewing() || (document_.selection().size() <= 1 && !request.outside_in_hand);
+  if (document_.previewing() && !request.outside_in_hand && document_.selection().size() == 1) {
     const auto found = std::ranges::find(request.luminaires, toStd(document_.selection().front()),
                                          &light::Luminaire::name);
     if (found != request.luminaires.end()) {
