@@ -8,6 +8,7 @@
 
 #include <vector>
 
+class QCheckBox;
 class QLabel;
 class QListWidget;
 class QSlider;
@@ -47,6 +48,8 @@ class MaterialsPanel : public QWidget {
   QuantityBox* specular_;
   QSlider* roughness_slider_;
   QuantityBox* roughness_;
+  QCheckBox* glass_;
+  QuantityBox* transmittance_;
   QLabel* note_;
   bool following_ = false;
 };
