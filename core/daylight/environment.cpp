@@ -28,7 +28,7 @@ bool Sun::covers(const dvec3& d) const {
   return glm::dot(off, off) < 4.0 * half * half;
 }
 
-Environment::Environment(const scene::Environment& description) {
+Environment::Environment(const scene::Environment& description, const Environment* like) {
   double turn = 0.0;
   if (const auto* sky = std::get_if<scene::Sky>(&description.light)) {
     const dvec3 to_sun =
@@ -41,7 +41,12 @@ Environment::Environment(const scene::Environment& description) {
     }
   } else if (const auto* probe = std::get_if<scene::Probe>(&description.light)) {
     turn = radians(probe->rotation_deg);
-    if (probe->image != nullptr) {
+    const auto known = like == nullptr ? nullptr : like->picture_;
+    if (known != nullptr && known->isOf(probe->image, probe->layout)) {
+      picture_ = known->scale() == probe->scale
+                     ? known
+                     : std::make_shared<const PictureLight>(known->scaled(probe->scale));
+    } else if (probe->image != nullptr) {
       picture_ = std::make_shared<const PictureLight>(probe->image, probe->layout, probe->scale);
     }
   } else {
@@ -52,13 +57,29 @@ Environment::Environment(const scene::Environment& description) {
   }
   cos_turn_ = std::cos(turn);
   sin_turn_ = std::sin(turn);
+  if (picture_ == nullptr) return;
+  for (Spot spot : picture_->spots()) {
+    const dvec3 d = spot.direction;
+    spot.direction = {cos_turn_ * d.x - sin_turn_ * d.y, sin_turn_ * d.x + cos_turn_ * d.y, d.z};
+    spots_.push_back(spot);
+  }
+}
+
+bool Environment::dark() const {
+  if (sun_) return false;
+  if (sky_) return !(sky_->luminance({0.0, 0.0, 1.0}) > 0.0) && !(ground_ > 0.0);
+  if (picture_ != nullptr) return picture_->dark();
+  return !table().anyLight();
+}
+
+const SkyTable& Environment::table() const {
+  std::call_once(table_->once, [&] { table_->table.emplace(tableWeights()); });
+  return *table_->table;
+}
+
+std::vector<double> Environment::tableWeights() const {
   std::vector<double> weights;
   if (picture_ != nullptr) {
-    for (Spot spot : picture_->spots()) {
-      const dvec3 d = spot.direction;
-      spot.direction = {cos_turn_ * d.x - sin_turn_ * d.y, sin_turn_ * d.x + cos_turn_ * d.y, d.z};
-      spots_.push_back(spot);
-    }
     // The picture's cells turn by the angle with it: look each up where it came from.
     const std::vector<double> own = picture_->weights();
     for (std::size_t i = 0; i < SkyTable::kCells; ++i) {
@@ -69,17 +90,17 @@ Environment::Environment(const scene::Environment& description) {
       }
       weights.push_back(most);
     }
-  } else {
-    for (std::size_t i = 0; i < SkyTable::kCells; ++i) {
-      double mean = 0.0;
-      for (int k = 0; k < 4; ++k) {
-        const dvec2 at(0.25 + 0.5 * (k % 2), 0.25 + 0.5 * (k / 2));
-        mean += 0.25 * lum(radiance(SkyTable::direction(i, at)));
-      }
-      weights.push_back(mean);
-    }
+    return weights;
   }
-  table_ = std::make_shared<const SkyTable>(weights);
+  for (std::size_t i = 0; i < SkyTable::kCells; ++i) {
+    double mean = 0.0;
+    for (int k = 0; k < 4; ++k) {
+      const dvec2 at(0.25 + 0.5 * (k % 2), 0.25 + 0.5 * (k / 2));
+      mean += 0.25 * lum(radiance(SkyTable::direction(i, at)));
+    }
+    weights.push_back(mean);
+  }
+  return weights;
 }
 
 dvec3 Environment::turned(const dvec3& d) const {

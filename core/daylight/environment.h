@@ -9,6 +9,7 @@
 #include "core/sh/analytic_light.h"
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -28,7 +29,9 @@ struct Sun {
 /// Immutable.
 class Environment {
  public:
-  explicit Environment(const scene::Environment& description);
+  /// like: surroundings whose picture is taken over where it is the same one, so that turning or
+  /// scaling it costs nothing; may be null.
+  explicit Environment(const scene::Environment& description, const Environment* like = nullptr);
 
   /// RGB, cd/m^2 (Y of linear Rec.709), all but the sun's disc. Pictures are bilinear.
   [[nodiscard]] dvec3 radiance(const dvec3& d) const;
@@ -39,13 +42,21 @@ class Environment {
   [[nodiscard]] const std::optional<Sun>& sun() const { return sun_; }
   /// All channels are equal everywhere.
   [[nodiscard]] bool grey() const { return picture_ == nullptr; }
-  /// Directions drawn in proportion to luminance, for sampling radiance().
-  [[nodiscard]] const SkyTable& table() const { return *table_; }
+  /// Below the horizon it looks the same everywhere.
+  [[nodiscard]] bool evenGround() const { return sky_.has_value(); }
+  /// Directions drawn in proportion to luminance, for sampling radiance(). Made when first asked
+  /// for.
+  [[nodiscard]] const SkyTable& table() const;
   /// Whether it gives any light at all.
-  [[nodiscard]] bool dark() const { return !table_->anyLight() && !sun_; }
+  [[nodiscard]] bool dark() const;
 
  private:
+  struct Table {
+    std::once_flag once;
+    std::optional<SkyTable> table;
+  };
   [[nodiscard]] dvec3 turned(const dvec3& d) const;
+  [[nodiscard]] std::vector<double> tableWeights() const;
 
   std::optional<CieSky> sky_;
   double ground_ = 0.0;  ///< cd/m^2 below the horizon
@@ -55,7 +66,7 @@ class Environment {
   double cos_turn_ = 1.0;  ///< of the rotation
   double sin_turn_ = 0.0;
   std::vector<Spot> spots_;
-  std::shared_ptr<const SkyTable> table_;
+  std::shared_ptr<Table> table_ = std::make_shared<Table>();  ///< shared by copies
 };
 
 }  // namespace soffit::daylight

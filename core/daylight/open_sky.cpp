@@ -3,7 +3,6 @@
 
 #include "core/base/parallel.h"
 #include "core/daylight/hemisphere_cells.h"
-#include "core/math/sampling.h"
 
 #include <algorithm>
 #include <atomic>
@@ -86,37 +85,23 @@ OpenSky::Leaf OpenSky::unpack(std::uint32_t leaf) const {
           size, kPiF * size * size * static_cast<float>(leaf >> 21U) / kShares};
 }
 
-vec3 OpenSky::directionAt(std::size_t receiver, float u, float v) const {
-  const vec3& n = normals_[receiver];
-  vec3 t;
-  vec3 b;
-  orthonormalBasis(n, t, b);
-  const vec3 d = cosineHemisphere(u, v);
-  return d.x * t + d.y * b + d.z * n;
-}
-
-std::vector<vec3> OpenSky::illuminance(const Environment& environment) const {
+std::vector<vec3> OpenSky::illuminance(const Environment& environment, const Job& job) const {
   std::vector<vec3> out(size(), vec3(0.0F));
-  parallelFor(size(), 64, [&](std::size_t begin, std::size_t end) {
+  std::atomic<std::size_t> done{0};
+  constexpr std::size_t kGrain = 64;
+  parallelFor(size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    if (job.cancelled()) return;
     for (std::size_t i = begin; i < end; ++i) {
       dvec3 sum(0.0);
-      for (std::uint32_t k = look_.first[i]; k < look_.first[i + 1]; ++k) {
-        const Leaf leaf = unpack(look_.leaves[k]);
-        int cuts = std::max(1, static_cast<int>(leaf.size * kFineLook));
-        // Toward the receiver's horizon equal steps of the square are ever larger angles: the last
-        // of 64 spans ten degrees, over which clear skies change much.
-        const vec2 off = glm::abs(vec2(2.0F * leaf.x - 1.0F, 2.0F * leaf.y - 1.0F) + leaf.size);
-        if (std::max(off.x, off.y) + leaf.size > 0.999F) cuts *= 4;
-        const float step = leaf.size / static_cast<float>(cuts);
-        dvec3 radiance(0.0);
-        for (int j = 0; j < cuts * cuts; ++j) {
-          const float u = leaf.x + (static_cast<float>(j % cuts) + 0.5F) * step;
-          const float v = leaf.y + (static_cast<float>(j / cuts) + 0.5F) * step;
-          radiance += environment.smoothRadiance(dvec3(directionAt(i, u, v)));
-        }
-        sum += radiance * (static_cast<double>(leaf.weight) / (cuts * cuts));
-      }
+      forEachDirection(i, kFineLook, [&](const vec3& d, float weight) {
+        sum += static_cast<double>(weight) * environment.smoothRadiance(dvec3(d));
+      });
       out[i] = vec3(sum);
+    }
+    const std::size_t part = ++done;
+    if (part % 16 == 0) {
+      job.report("light from outside",
+                 static_cast<double>(part * kGrain) / static_cast<double>(size() + kGrain));
     }
   });
   return out;

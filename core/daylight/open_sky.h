@@ -4,9 +4,13 @@
 #include "core/base/progress.h"
 #include "core/daylight/environment.h"
 #include "core/daylight/panes.h"
+#include "core/daylight/square_directions.h"
 #include "core/geometry/ray_caster.h"
+#include "core/math/sampling.h"
 #include "core/math/vec.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -63,17 +67,36 @@ class OpenSky {
   /// Whether any receiver sees anything of the outside.
   [[nodiscard]] bool any() const { return !look_.leaves.empty(); }
 
-  /// RGB lux of smoothRadiance() per receiver.
-  [[nodiscard]] std::vector<vec3> illuminance(const Environment& environment) const;
+  /// RGB lux of smoothRadiance() per receiver. A cancelled job leaves the rest dark.
+  [[nodiscard]] std::vector<vec3> illuminance(const Environment& environment,
+                                              const Job& job = {}) const;
 
-  /// visit(direction, weight) for every open leaf of a receiver, at its centre: the sum of weight
-  /// times radiance is the illuminance.
+  /// visit(direction, weight) for every open leaf of a receiver, cut so that about `steps` of its
+  /// pieces lie along the square's side (a power of 2): the sum of weight times radiance is the
+  /// illuminance. Toward the receiver's horizon equal steps of the square are ever larger angles
+  /// (the last of 64 spans ten degrees): there they are a quarter as long.
   template <class Visit>
-  void forEachLeaf(std::size_t receiver, const Visit& visit) const {
+  void forEachDirection(std::size_t receiver, int steps, const Visit& visit) const {
+    vec3 t(0.0F);
+    vec3 b(0.0F);
+    const vec3& n = normals_[receiver];
+    orthonormalBasis(n, t, b);
     for (std::uint32_t k = look_.first[receiver]; k < look_.first[receiver + 1]; ++k) {
       const Leaf leaf = unpack(look_.leaves[k]);
-      visit(directionAt(receiver, leaf.x + 0.5F * leaf.size, leaf.y + 0.5F * leaf.size),
-            leaf.weight);
+      int cuts = std::max(1, static_cast<int>(leaf.size * static_cast<float>(steps)));
+      const vec2 off = glm::abs(vec2(2.0F * leaf.x - 1.0F, 2.0F * leaf.y - 1.0F) + leaf.size);
+      if (std::max(off.x, off.y) + leaf.size > 0.999F) cuts *= 4;
+      const int side = static_cast<int>(std::lround(1.0F / leaf.size)) * cuts;
+      const auto column = static_cast<int>(std::lround(leaf.x * static_cast<float>(side)));
+      const auto row = static_cast<int>(std::lround(leaf.y * static_cast<float>(side)));
+      const float weight = leaf.weight / static_cast<float>(cuts * cuts);
+      const SquareDirections directions(side);
+      for (int j = 0; j < cuts; ++j) {
+        for (int i = 0; i < cuts; ++i) {
+          const vec3 d = directions.at(column + i, row + j);
+          visit(d.x * t + d.y * b + d.z * n, weight);
+        }
+      }
     }
   }
 
@@ -83,7 +106,6 @@ class OpenSky {
     float weight;      ///< pi area times the share of light
   };
   [[nodiscard]] Leaf unpack(std::uint32_t leaf) const;
-  [[nodiscard]] vec3 directionAt(std::size_t receiver, float u, float v) const;
 
   std::vector<vec3> normals_;
   Look look_;

@@ -24,6 +24,9 @@ class Slab {
   /// At the angle of incidence whose cosine (its sign does not matter) is given; at grazing 0
   /// and 1.
   [[nodiscard]] Shares at(double cos_incidence) const;
+  [[nodiscard]] double index() const { return index_; }
+  /// ln of what one pass inside lets through at normal incidence; -infinity: nothing.
+  [[nodiscard]] double logPass() const { return log_pass_; }
 
  private:
   double index_;

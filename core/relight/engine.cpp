@@ -22,18 +22,27 @@ struct Setting {
 
 const std::map<std::string, Setting>& settings() {
   static const std::map<std::string, Setting> table = {
-      {"texels", {100, 2e6, [](QualitySettings& q, double v) { q.bake.texels = static_cast<int>(v); }}},
+      {"texels",
+       {100, 2e6, [](QualitySettings& q, double v) { q.bake.texels = static_cast<int>(v); }}},
       {"least_cell", {1e-4, 10, [](QualitySettings& q, double v) { q.bake.least_cell = v; }}},
       {"most_cell", {1e-4, 1e3, [](QualitySettings& q, double v) { q.bake.most_cell = v; }}},
-      {"patch", {16, 256, [](QualitySettings& q, double v) { q.bake.patch = static_cast<std::uint32_t>(v); }}},
-      {"node_rays", {2, 64, [](QualitySettings& q, double v) { q.bake.node_rays = static_cast<int>(v); }}},
-      {"trainings", {4, 1024, [](QualitySettings& q, double v) { q.bake.trainings = static_cast<int>(v); }}},
-      {"field_rays", {4, 128, [](QualitySettings& q, double v) { q.bake.field_rays = static_cast<int>(v); }}},
-      {"list_rays", {4, 256, [](QualitySettings& q, double v) { q.bake.list_rays = static_cast<int>(v); }}},
-      {"max_rank", {1, 128, [](QualitySettings& q, double v) { q.bake.max_rank = static_cast<int>(v); }}},
+      {"patch",
+       {16, 256,
+        [](QualitySettings& q, double v) { q.bake.patch = static_cast<std::uint32_t>(v); }}},
+      {"node_rays",
+       {2, 64, [](QualitySettings& q, double v) { q.bake.node_rays = static_cast<int>(v); }}},
+      {"trainings",
+       {4, 1024, [](QualitySettings& q, double v) { q.bake.trainings = static_cast<int>(v); }}},
+      {"field_rays",
+       {4, 128, [](QualitySettings& q, double v) { q.bake.field_rays = static_cast<int>(v); }}},
+      {"list_rays",
+       {4, 256, [](QualitySettings& q, double v) { q.bake.list_rays = static_cast<int>(v); }}},
+      {"max_rank",
+       {1, 128, [](QualitySettings& q, double v) { q.bake.max_rank = static_cast<int>(v); }}},
       {"lists", {0.01, 1, [](QualitySettings& q, double v) { q.bake.lists = v; }}},
       {"tolerance", {1e-6, 1, [](QualitySettings& q, double v) { q.bake.tolerance = v; }}},
-      {"sensor_rays", {4, 1024, [](QualitySettings& q, double v) { q.sensor_rays = static_cast<int>(v); }}},
+      {"sensor_rays",
+       {4, 1024, [](QualitySettings& q, double v) { q.sensor_rays = static_cast<int>(v); }}},
   };
   return table;
 }
@@ -73,7 +82,8 @@ Result<QualitySettings> qualitySettings(const scene::Quality& quality) {
     }
     const Setting& s = found->second;
     if (!std::isfinite(value) || value < s.lowest || value > s.highest) {
-      return Error{"quality." + name, fmt::format("expected {} to {}, found {}", s.lowest, s.highest, value),
+      return Error{"quality." + name,
+                   fmt::format("expected {} to {}, found {}", s.lowest, s.highest, value),
                    "Choose a value in that range, or leave the setting out."};
     }
     s.set(q, value);
@@ -93,19 +103,21 @@ std::shared_ptr<const transfer::StaticScene> makeStaticScene(const scene::Scene&
                                    daylight::Panes::make(*scene.mesh, scene.materials));
 }
 
-Result<std::shared_ptr<const Solver>> makeSolver(const scene::Scene& scene, const QualitySettings& quality,
-                                                 bool use_cache, const Job& job, EngineReport& report,
+Result<std::shared_ptr<const Solver>> makeSolver(const scene::Scene& scene,
+                                                 const QualitySettings& quality, bool use_cache,
+                                                 const Job& job, EngineReport& report,
                                                  const CoarseSolver& coarse) {
   job.report("preparing geometry", 0.0);
   const auto static_scene = makeStaticScene(scene);
   transfer::CoarseResult on_coarse;
   if (coarse) {
     on_coarse = [&](const std::shared_ptr<const transfer::Operators>& found) {
-      if (!job.cancelled()) coarse(std::make_shared<const Solver>(static_scene, found, scene.materials));
+      if (!job.cancelled())
+        coarse(std::make_shared<const Solver>(static_scene, found, scene.materials));
     };
   }
-  auto operators = transfer::bakeOrLoad(*static_scene, quality.bake, use_cache, job, on_coarse, &report.bake,
-                                        report.cached, report.messages);
+  auto operators = transfer::bakeOrLoad(*static_scene, quality.bake, use_cache, job, on_coarse,
+                                        &report.bake, report.cached, report.messages);
   if (!operators) return operators.error();
   report.bytes = (*operators)->bytes();
   auto solver = std::make_shared<Solver>(static_scene, *operators, scene.materials);

@@ -86,8 +86,10 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
   }
   emitters_ = std::move(emitters);
   entries_ = std::move(entries);
+  lamps_.reset();
   outdoors_stale_ = outdoors_stale_ || !keep;
   if (outdoors_stale_) {
+    sky_transfer_.reset();
     if (auto done = computeOutdoors(job); !done) return done;
     outdoors_stale_ = false;
   }
@@ -103,6 +105,8 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
 
 Result<void> Lighting::repaint(std::shared_ptr<const Solver> solver, const Job& job) {
   solver_ = std::move(solver);
+  sky_transfer_.reset();
+  lamps_.reset();
   letGo();
   const std::vector<float> open = openShare();
   for (Entry& entry : entries_) entry.ready = false;
@@ -141,6 +145,7 @@ std::optional<Planes> Lighting::totalUnder(const Solver& painted) const {
 void Lighting::setMix(std::size_t i, double gain, const dvec3& color) {
   emitters_[i].gain = gain;
   emitters_[i].color = color;
+  lamps_.reset();
   if (gain > 0.0 && !entries_[i].ready) compute(i);
 }
 

@@ -7,6 +7,7 @@
 #include "core/relight/light_sum.h"
 #include "core/relight/outdoors.h"
 #include "core/relight/sensors.h"
+#include "core/relight/sky_transfer.h"
 #include "core/relight/solver.h"
 
 #include <memory>
@@ -38,6 +39,11 @@ class Lighting {
   /// then.
   Result<void> setEnvironment(std::shared_ptr<const daylight::Environment> environment,
                               const Job& job = {});
+  /// The total under other surroundings while a slider turns or changes them: smooth light as a mix
+  /// of columns (sky_transfer.h, made at the first call), the brightest discs exactly; nothing but
+  /// the columns is kept. Takes no rays after the first call.
+  /// Errors: cancelled.
+  Result<Planes> totalUnderSky(const daylight::Environment& environment, const Job& job = {});
   [[nodiscard]] const daylight::Environment* environment() const { return environment_.get(); }
   /// Direct light of the sky at the texels, RGB lux, the sun left out; empty without surroundings.
   [[nodiscard]] const Planes& skyDirect() const { return outdoors_.sky; }
@@ -119,6 +125,8 @@ class Lighting {
   std::vector<Entry> entries_;
   std::shared_ptr<const daylight::Environment> environment_;
   Outdoors outdoors_;
+  std::shared_ptr<const SkyTransfer> sky_transfer_;  ///< null: not asked for
+  std::optional<LightSum> lamps_;                    ///< all luminaires, while a sky is in hand
   bool outdoors_stale_ = false;      ///< bodies shade the sun otherwise than outdoors_ has it
   std::vector<std::size_t> hand_;    ///< luminaires in hand
   std::vector<std::size_t> moving_;  ///< those whose light a move may change

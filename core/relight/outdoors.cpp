@@ -43,6 +43,8 @@ void addSpots(const Solver& solver, const daylight::Environment& environment,
   }
 }
 
+}  // namespace
+
 Column columnOf(std::vector<float> direct, const light::Receivers& receivers) {
   Column column;
   column.direct = std::move(direct);
@@ -54,31 +56,45 @@ Column columnOf(std::vector<float> direct, const light::Receivers& receivers) {
   return column;
 }
 
-}  // namespace
-
-Outdoors outdoorLight(const Solver& solver, const daylight::Environment& environment,
+Outdoors outdoorLight(const Solver& solver,
+                      const std::shared_ptr<const daylight::Environment>& environment,
                       std::span<const light::MaskBlocker> bodies, const Job& job) {
   Outdoors out;
-  const auto open = solver.openSky(job);
-  if (open == nullptr) return out;
+  const auto e = solver.skyLight(environment, job);
+  if (e == nullptr) return out;
   const transfer::Operators& op = solver.operators();
   const std::size_t slots = op.texels.slotCount();
   for (auto& plane : out.sky) plane.assign(slots, 0.0F);
-  if (open->any()) {
-    const std::vector<vec3> e = open->illuminance(environment);
-    for (std::size_t s = 0; s < slots; ++s) {
-      const vec3& shown = e[op.fill_from[s]];
-      for (std::size_t c = 0; c < 3; ++c) out.sky[c][s] = shown[static_cast<int>(c)];
-    }
+  for (std::size_t s = 0; s < slots; ++s) {
+    const vec3& shown = (*e)[op.fill_from[s]];
+    for (std::size_t c = 0; c < 3; ++c) out.sky[c][s] = shown[static_cast<int>(c)];
   }
   Planes direct = out.sky;
-  addSpots(solver, environment, bodies, direct, job);
+  addSpots(solver, *environment, bodies, direct, job);
   if (job.cancelled()) return {};
-  const std::size_t count = environment.grey() ? 1 : 3;
+  const std::size_t count = environment->grey() ? 1 : 3;
   for (std::size_t c = 0; c < count; ++c) {
     out.columns.push_back(columnOf(std::move(direct[c]), op.texels.receivers));
   }
   return out;
+}
+
+bool Solver::knowsSkyLight(const daylight::Environment* environment) const {
+  const std::lock_guard lock(sky_->light_mutex);
+  return sky_->lit_by.get() == environment;
+}
+
+std::shared_ptr<const std::vector<vec3>> Solver::skyLight(
+    const std::shared_ptr<const daylight::Environment>& environment, const Job& job) const {
+  const auto open = openSky(job);
+  if (open == nullptr) return nullptr;
+  const std::lock_guard lock(sky_->light_mutex);
+  if (sky_->lit_by == environment) return sky_->light;
+  auto light = std::make_shared<std::vector<vec3>>(open->illuminance(*environment, job));
+  if (job.cancelled()) return nullptr;
+  sky_->lit_by = environment;
+  sky_->light = std::move(light);
+  return sky_->light;
 }
 
 std::shared_ptr<const daylight::OpenSky> Solver::openSky(const Job& job) const {
@@ -94,8 +110,11 @@ std::shared_ptr<const daylight::OpenSky> Solver::openSky(const Job& job) const {
   }
   if (!sky_->store.empty()) sky_->open = readSky(sky_->store, normals);
   if (sky_->open != nullptr) return sky_->open;
-  auto open = std::make_shared<const daylight::OpenSky>(
-      positions, normals, scene_->caster, scene_->panes.get(), daylight::LookOptions{}, job);
+  daylight::LookOptions look;
+  // Coarse light is there for seconds: a fifth of the rays will do.
+  if (operators_->coarse) look.levels = 1;
+  auto open = std::make_shared<const daylight::OpenSky>(positions, normals, scene_->caster,
+                                                        scene_->panes.get(), look, job);
   if (job.cancelled()) return nullptr;
   if (!sky_->store.empty()) writeSky(sky_->store, *open);
   sky_->open = open;

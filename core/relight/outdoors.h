@@ -19,6 +19,9 @@ namespace soffit::relight {
 /// across the scene.
 light::Emitter farDisc(const daylight::Spot& spot, const Box& scene);
 
+/// A column of direct light that is there: lux per slot.
+Column columnOf(std::vector<float> direct, const light::Receivers& receivers);
+
 /// The surroundings' light in one scene.
 struct Outdoors {
   Planes sky;  ///< direct light of the sky per slot, RGB lux; spots left out
@@ -36,7 +39,8 @@ struct Outdoors {
 
 /// Direct light alone; Solver::indirect() completes the columns. bodies: of all luminaires; they
 /// shade spots and not the sky. Nothing when cancelled.
-Outdoors outdoorLight(const Solver& solver, const daylight::Environment& environment,
+Outdoors outdoorLight(const Solver& solver,
+                      const std::shared_ptr<const daylight::Environment>& environment,
                       std::span<const light::MaskBlocker> bodies, const Job& job);
 
 }  // namespace soffit::relight

@@ -19,13 +19,17 @@ dvec3 averageTexture(const scene::Image& image, const vec2& uv, float width) {
       const float v = uv.y + width * ((static_cast<float>(j) + 0.5F) / kTaps - 0.5F);
       const float fu = u - std::floor(u);
       const float fv = v - std::floor(v);
-      const int x = std::min(static_cast<int>(fu * static_cast<float>(image.width)), image.width - 1);
+      const int x =
+          std::min(static_cast<int>(fu * static_cast<float>(image.width)), image.width - 1);
       // Row 0 is the top, v runs up.
-      const int y = std::min(static_cast<int>((1.0F - fv) * static_cast<float>(image.height)), image.height - 1);
-      const std::size_t at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x)) *
+      const int y = std::min(static_cast<int>((1.0F - fv) * static_cast<float>(image.height)),
+                             image.height - 1);
+      const std::size_t at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                              static_cast<std::size_t>(x)) *
                              static_cast<std::size_t>(image.channels);
       for (int c = 0; c < 3; ++c) {
-        sum[c] += static_cast<double>(image.pixels[at + static_cast<std::size_t>(std::min(c, image.channels - 1))]);
+        sum[c] += static_cast<double>(
+            image.pixels[at + static_cast<std::size_t>(std::min(c, image.channels - 1))]);
       }
     }
   }
@@ -63,7 +67,8 @@ double lobeAlbedo(double specular, double roughness) {
     const double len2 = vh.x * vh.x + vh.y * vh.y;
     const dvec3 axis1 = len2 > 0.0 ? dvec3(-vh.y, vh.x, 0.0) / std::sqrt(len2) : dvec3(1, 0, 0);
     const dvec3 axis2 = glm::cross(vh, axis1);
-    const dvec3 nh = t1 * axis1 + t2 * axis2 + std::sqrt(std::max(0.0, 1.0 - t1 * t1 - t2 * t2)) * vh;
+    const dvec3 nh =
+        t1 * axis1 + t2 * axis2 + std::sqrt(std::max(0.0, 1.0 - t1 * t1 - t2 * t2)) * vh;
     const dvec3 h = glm::normalize(dvec3(alpha * nh.x, alpha * nh.y, std::max(0.0, nh.z)));
     const dvec3 l = 2.0 * glm::dot(v, h) * h - v;
     if (l.z <= 0.0) continue;
@@ -74,18 +79,21 @@ double lobeAlbedo(double specular, double roughness) {
   return sum / kSamples;
 }
 
-Reflectances makeReflectances(const transfer::Texels& texels, std::span<const scene::Material> materials) {
+Reflectances makeReflectances(const transfer::Texels& texels,
+                              std::span<const scene::Material> materials) {
   Reflectances out;
   const std::size_t slots = texels.slotCount();
   for (auto& channel : out.rho) channel.assign(slots, 0.0F);
   std::vector<double> lobe(materials.size(), 0.0);
-  for (std::size_t m = 0; m < materials.size(); ++m) lobe[m] = lobeAlbedo(materials[m].specular, materials[m].roughness);
+  for (std::size_t m = 0; m < materials.size(); ++m)
+    lobe[m] = lobeAlbedo(materials[m].specular, materials[m].roughness);
   for (std::size_t s = 0; s < slots; ++s) {
     if (texels.material[s] >= materials.size()) continue;
     const scene::Material& m = materials[texels.material[s]];
     if (m.glass) continue;
     dvec3 diffuse = m.diffuse;
-    if (m.diffuse_image != nullptr) diffuse *= averageTexture(*m.diffuse_image, texels.uv[s], texels.uv_width[s]);
+    if (m.diffuse_image != nullptr)
+      diffuse *= averageTexture(*m.diffuse_image, texels.uv[s], texels.uv_width[s]);
     for (int c = 0; c < 3; ++c) {
       out.rho[static_cast<std::size_t>(c)][s] =
           static_cast<float>(std::clamp(diffuse[c] + lobe[texels.material[s]], 0.0, 1.0));

@@ -2,6 +2,7 @@
 #include "core/relight/sensor_readings.h"
 
 #include "core/relight/bodies.h"
+#include "core/relight/outdoors.h"
 #include "core/relight/same_light.h"
 
 #include <algorithm>
@@ -36,6 +37,7 @@ void SensorReadings::setSolver(std::shared_ptr<const Solver> solver) {
   const bool same_rays = solver_ != nullptr && solver != nullptr && sensors_ &&
                          &solver_->operators() == &solver->operators();
   responses_.clear();
+  outdoors_.clear();
   bodies_.clear();
   solver_ = std::move(solver);
   if (!same_rays) sensors_.reset();
@@ -48,7 +50,10 @@ void SensorReadings::dropIfBodiesChanged(std::span<const light::Emitter> emitter
   std::vector<light::Emitter> bodies;
   std::ranges::copy_if(emitters, std::back_inserter(bodies), &light::Emitter::casts_shadow);
   // A body anywhere changes the shadows of all.
-  if (!std::ranges::equal(bodies, bodies_, sameLight)) responses_.clear();
+  if (!std::ranges::equal(bodies, bodies_, sameLight)) {
+    responses_.clear();
+    outdoors_.clear();
+  }
   bodies_ = std::move(bodies);
 }
 
@@ -75,12 +80,47 @@ const SensorReadings::Response& SensorReadings::responseTo(std::span<const light
   return responses_.front();
 }
 
-Result<std::vector<SensorLight>> SensorReadings::read(std::span<const light::Emitter> emitters,
-                                                      const Job& job) {
+Result<void> SensorReadings::ensureOutside(
+    const std::shared_ptr<const daylight::Environment>& outside,
+    std::span<const light::Emitter> emitters, std::span<const float> open, const Job& job) {
+  if (outside == nullptr || outside->dark()) {
+    outdoors_.clear();
+    return {};
+  }
+  if (outside == outside_ && !outdoors_.empty()) return {};
+  std::vector<light::MaskBlocker> bodies;
+  for (const light::Emitter& e : emitters) {
+    const auto body = bodyBlockers(e);
+    bodies.insert(bodies.end(), body.begin(), body.end());
+  }
+  Outdoors light = outdoorLight(*solver_, outside, bodies, job);
+  if (job.cancelled()) return Error{"sensors", "cancelled", ""};
+  const std::vector<dvec3> direct = sensors_->outdoors(*solver_, *outside, bodies, job);
+  if (job.cancelled()) return Error{"sensors", "cancelled", ""};
+  std::vector<SensorLight> found(points_.size());
+  for (std::size_t k = 0; k < found.size(); ++k) found[k].direct = direct[k];
+  for (std::size_t c = 0; c < light.columns.size(); ++c) {
+    std::vector<vec4> source;
+    solver_->indirect(light.columns[c], open, &source);
+    const std::vector<dvec3> indirect = sensors_->indirect(source);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      found[k].indirect += light.weight(c) * indirect[k];
+    }
+  }
+  outdoors_ = std::move(found);
+  outside_ = outside;
+  return {};
+}
+
+Result<std::vector<SensorLight>> SensorReadings::read(
+    std::span<const light::Emitter> emitters,
+    const std::shared_ptr<const daylight::Environment>& outside, const Job& job) {
   if (!sensors_) return Error{"sensors", "there is no light transport yet", "Precompute first."};
   dropIfBodiesChanged(emitters);
   const std::vector<float> open = openShare(emitters, solver_->operators().texels);
-  std::vector<SensorLight> out(points_.size());
+  if (auto shone = ensureOutside(outside, emitters, open, job); !shone) return shone.error();
+  std::vector<SensorLight> out = outdoors_;
+  out.resize(points_.size());
   for (std::size_t i = 0; i < emitters.size(); ++i) {
     if (job.cancelled()) return Error{"sensors", "cancelled", ""};
     if (emitters[i].gain <= 0.0) continue;

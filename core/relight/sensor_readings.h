@@ -27,10 +27,12 @@ class SensorReadings {
   /// operators are others: new reflectances keep them.
   void setSolver(std::shared_ptr<const Solver> solver);
 
-  /// Light of luminaires at the sensors, in the sensors' order. Emitters are scene-local.
+  /// Light of luminaires at the sensors and of what shines in from outside (null: nothing), in the
+  /// sensors' order. Emitters are scene-local.
   /// Errors: no solver yet; cancelled (what was computed until then is kept).
-  Result<std::vector<SensorLight>> read(std::span<const light::Emitter> emitters,
-                                        const Job& job = {});
+  Result<std::vector<SensorLight>> read(
+      std::span<const light::Emitter> emitters,
+      const std::shared_ptr<const daylight::Environment>& outside = nullptr, const Job& job = {});
 
  private:
   /// One luminaire at gain 1 and white.
@@ -41,6 +43,9 @@ class SensorReadings {
   };
   const Response& responseTo(std::span<const light::Emitter> emitters, std::size_t i,
                              std::span<const float> open);
+  Result<void> ensureOutside(const std::shared_ptr<const daylight::Environment>& outside,
+                             std::span<const light::Emitter> emitters, std::span<const float> open,
+                             const Job& job);
   void dropIfBodiesChanged(std::span<const light::Emitter> emitters);
 
   std::vector<scene::Sensor> points_;
@@ -48,7 +53,9 @@ class SensorReadings {
   std::uint64_t seed_;
   std::shared_ptr<const Solver> solver_;
   std::optional<Sensors> sensors_;
-  std::list<Response> responses_;       ///< the one used last in front
+  std::shared_ptr<const daylight::Environment> outside_;  ///< that outdoors_ is the light of
+  std::vector<SensorLight> outdoors_;                     ///< empty: not known
+  std::list<Response> responses_;                         ///< the one used last in front
   std::vector<light::Emitter> bodies_;  ///< that the responses were computed among
 };
 

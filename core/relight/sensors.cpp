@@ -22,7 +22,8 @@ std::vector<dvec3> orientationsOf(const dvec3& n, Quantity quantity) {
   orthonormalBasis(n, t, b);
   std::vector<dvec3> out;
   switch (quantity) {
-    case Quantity::planar: return {n};
+    case Quantity::planar:
+      return {n};
     case Quantity::cylindrical: {
       constexpr int kCount = 24;
       for (int i = 0; i < kCount; ++i) {
@@ -60,8 +61,8 @@ std::vector<dvec3> orientationsOf(const dvec3& n, Quantity quantity) {
 
 }  // namespace
 
-Sensors::Sensors(const Solver& solver, std::span<const scene::Sensor> sensors, Quantity quantity, int rays,
-                 std::uint64_t seed)
+Sensors::Sensors(const Solver& solver, std::span<const scene::Sensor> sensors, Quantity quantity,
+                 int rays, std::uint64_t seed)
     : count_(sensors.size()) {
   const dvec3 origin = solver.scene().mesh->origin;
   std::vector<vec3> positions;
@@ -78,7 +79,8 @@ Sensors::Sensors(const Solver& solver, std::span<const scene::Sensor> sensors, Q
   receivers_ = light::makeReceivers(positions, normals, 64);
   const transfer::Operators& op = solver.operators();
   if (op.texels.slotCount() == 0) return;
-  if (orientations_ > 1) rays = std::max(8, rays * 2 / static_cast<int>(std::sqrt(orientations_)) / 4 * 4);
+  if (orientations_ > 1)
+    rays = std::max(8, rays * 2 / static_cast<int>(std::sqrt(orientations_)) / 4 * 4);
   // In chunks, put together in order: the lists are the same for any number of threads.
   constexpr std::size_t kChunk = 32;
   std::vector<transfer::GatherLists> parts((positions.size() + kChunk - 1) / kChunk);
@@ -86,9 +88,10 @@ Sensors::Sensors(const Solver& solver, std::span<const scene::Sensor> sensors, Q
     transfer::HemisphereScratch scratch;
     transfer::HemisphereHits hits;
     for (std::size_t part = begin; part < end; ++part) {
-      for (std::size_t i = part * kChunk; i < std::min(positions.size(), (part + 1) * kChunk); ++i) {
-        transfer::traceHemisphere(solver.scene(), op.texels, positions[i], normals[i], rays, seed * 86028121U + i, 0.0F,
-                                  scratch, hits);
+      for (std::size_t i = part * kChunk; i < std::min(positions.size(), (part + 1) * kChunk);
+           ++i) {
+        transfer::traceHemisphere(solver.scene(), op.texels, positions[i], normals[i], rays,
+                                  seed * 86028121U + i, 0.0F, scratch, hits);
         parts[part].append(hits.slots);
       }
     }
@@ -112,10 +115,12 @@ std::vector<double> Sensors::direct(const Solver& solver, const light::Emitter& 
 }
 
 std::vector<dvec3> Sensors::outdoors(const Solver& solver, const daylight::Environment& environment,
-                                     std::span<const light::MaskBlocker> bodies) const {
+                                     std::span<const light::MaskBlocker> bodies,
+                                     const Job& job) const {
   std::vector<dvec3> out(count_, dvec3(0.0));
   if (count_ == 0) return out;
-  std::call_once(sky_->once, [&] {
+  const std::lock_guard lock(sky_->mutex);
+  if (!sky_->open) {
     std::vector<vec3> positions;
     std::vector<vec3> normals;
     // Off the surface that a sensor may lie in, on the side that it looks to.
@@ -125,11 +130,12 @@ std::vector<dvec3> Sensors::outdoors(const Solver& solver, const daylight::Envir
       positions.push_back(receivers_.position(slot) + solver.scene().epsilon * normals.back());
     }
     const daylight::LookOptions fine{.coarse = 64, .levels = 3};
-    sky_->open = daylight::OpenSky(positions, normals, solver.scene().caster,
-                                   solver.scene().panes.get(),
-                                   orientations_ == 1 ? fine : daylight::LookOptions{});
-  });
-  const std::vector<vec3> sky = sky_->open.illuminance(environment);
+    daylight::OpenSky open(positions, normals, solver.scene().caster, solver.scene().panes.get(),
+                           orientations_ == 1 ? fine : daylight::LookOptions{}, job);
+    if (job.cancelled()) return out;
+    sky_->open = std::move(open);
+  }
+  const std::vector<vec3> sky = sky_->open->illuminance(environment, job);
   for (std::size_t k = 0; k < sky.size(); ++k) {
     out[k / orientations_] += dvec3(sky[k]) / static_cast<double>(orientations_);
   }

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,11 +39,12 @@ class Sensors {
                                            std::span<const light::MaskBlocker> bodies) const;
 
   /// Direct light of the surroundings, the sun included, RGB lux per sensor; bodies as above. What
-  /// the sensors see of the sky is looked at once: planar ones on 512 x 512 cells where an opening's
-  /// edge is (OpenSky), others on 128 x 128 per orientation.
+  /// the sensors see of the sky is looked at once: planar ones on 512 x 512 cells where an
+  /// opening's edge is (OpenSky), others on 128 x 128 per orientation. Dark when cancelled.
   [[nodiscard]] std::vector<dvec3> outdoors(const Solver& solver,
                                             const daylight::Environment& environment,
-                                            std::span<const light::MaskBlocker> bodies) const;
+                                            std::span<const light::MaskBlocker> bodies,
+                                            const Job& job = {}) const;
 
   /// Indirect light from a radiosity per slot (Solver::indirect), RGB lux per sensor.
   [[nodiscard]] std::vector<dvec3> indirect(std::span<const vec4> source) const;
@@ -50,8 +52,8 @@ class Sensors {
  private:
   /// Shared by copies.
   struct Sky {
-    std::once_flag once;
-    daylight::OpenSky open;
+    std::mutex mutex;
+    std::optional<daylight::OpenSky> open;
   };
   std::shared_ptr<Sky> sky_ = std::make_shared<Sky>();
   std::size_t count_ = 0;

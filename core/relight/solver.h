@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/daylight/environment.h"
 #include "core/daylight/open_sky.h"
 #include "core/light/direct_stage.h"
 #include "core/relight/column.h"
@@ -85,6 +86,12 @@ class Solver {
   /// What each slot sees of the surroundings: looked at once per geometry, when somebody asks, and
   /// shared by solvers of other reflectances. Null when cancelled.
   [[nodiscard]] std::shared_ptr<const daylight::OpenSky> openSky(const Job& job = {}) const;
+  /// RGB lux of the surroundings per slot without their spots (daylight::OpenSky::illuminance()),
+  /// kept for the ones asked for last and shared in the same way. Null when cancelled.
+  [[nodiscard]] std::shared_ptr<const std::vector<vec3>> skyLight(
+      const std::shared_ptr<const daylight::Environment>& environment, const Job& job = {}) const;
+  /// Whether skyLight() knows the answer.
+  [[nodiscard]] bool knowsSkyLight(const daylight::Environment* environment) const;
   /// Keeps it in a file between calls (sky_cache.h).
   void keepSky(std::filesystem::path store) { sky_->store = std::move(store); }
 
@@ -94,6 +101,9 @@ class Solver {
     std::mutex mutex;
     std::filesystem::path store;  ///< where it is kept between calls; empty: nowhere
     std::shared_ptr<const daylight::OpenSky> open;
+    std::mutex light_mutex;
+    std::shared_ptr<const daylight::Environment> lit_by;
+    std::shared_ptr<const std::vector<vec3>> light;
   };
   void coarseIndirect(Column& column, std::span<const float> open, std::vector<vec4>* source) const;
   /// Skeleton and what the patches send after it.

@@ -154,6 +154,10 @@
         <source>no material is glass</source>
         <translation>kein Material ist Glas</translation>
     </message>
+    <message>
+        <source>light of smooth skies</source>
+        <translation>Licht glatter Himmel</translation>
+    </message>
 </context>
 <context>
     <name>DragSession</name>
@@ -587,6 +591,74 @@
         <source>There is not enough memory for a picture of this size</source>
         <translation>Der Speicher reicht nicht für ein Bild dieser Größe</translation>
     </message>
+    <message>
+        <source>Overcast, steep gradation</source>
+        <translation>Bedeckt, steiler Helligkeitsverlauf</translation>
+    </message>
+    <message>
+        <source>Overcast, steep, brighter toward the sun</source>
+        <translation>Bedeckt, steil, zur Sonne hin heller</translation>
+    </message>
+    <message>
+        <source>Overcast, moderate gradation</source>
+        <translation>Bedeckt, mäßiger Helligkeitsverlauf</translation>
+    </message>
+    <message>
+        <source>Overcast, moderate, brighter toward the sun</source>
+        <translation>Bedeckt, mäßig, zur Sonne hin heller</translation>
+    </message>
+    <message>
+        <source>Uniform</source>
+        <translation>Gleichmäßig</translation>
+    </message>
+    <message>
+        <source>Partly cloudy, slightly brighter toward the sun</source>
+        <translation>Teils bewölkt, zur Sonne hin etwas heller</translation>
+    </message>
+    <message>
+        <source>Partly cloudy, bright around the sun</source>
+        <translation>Teils bewölkt, um die Sonne hell</translation>
+    </message>
+    <message>
+        <source>Partly cloudy, distinct corona</source>
+        <translation>Teils bewölkt, deutliche Korona</translation>
+    </message>
+    <message>
+        <source>Partly cloudy, sun obscured</source>
+        <translation>Teils bewölkt, Sonne verdeckt</translation>
+    </message>
+    <message>
+        <source>Partly cloudy, bright around the sun, darker zenith</source>
+        <translation>Teils bewölkt, um die Sonne hell, Zenit dunkler</translation>
+    </message>
+    <message>
+        <source>White-blue, distinct corona</source>
+        <translation>Weißblau, deutliche Korona</translation>
+    </message>
+    <message>
+        <source>Clear, low turbidity</source>
+        <translation>Klar, geringe Trübung</translation>
+    </message>
+    <message>
+        <source>Clear, polluted air</source>
+        <translation>Klar, verunreinigte Luft</translation>
+    </message>
+    <message>
+        <source>Cloudless, turbid, broad corona</source>
+        <translation>Wolkenlos, trüb, breite Korona</translation>
+    </message>
+    <message>
+        <source>White-blue, turbid, broad corona</source>
+        <translation>Weißblau, trüb, breite Korona</translation>
+    </message>
+    <message>
+        <source>Traditional overcast (1 : 3)</source>
+        <translation>Herkömmlich bedeckt (1 : 3)</translation>
+    </message>
+    <message>
+        <source>Daylight</source>
+        <translation>Tageslicht</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::AboutDialog</name>
@@ -847,6 +919,193 @@
     <message>
         <source>%1 − %2</source>
         <translation>%1 − %2</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::DaylightPanel</name>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>Standard sky (CIE)</source>
+        <translation>Normhimmel (CIE)</translation>
+    </message>
+    <message>
+        <source>Light probe (picture)</source>
+        <translation>Lichtsonde (Bild)</translation>
+    </message>
+    <message>
+        <source>Analytic light</source>
+        <translation>Formellicht</translation>
+    </message>
+    <message>
+        <source>What shines in through openings and glass; the same in all layouts</source>
+        <translation>Was durch Öffnungen und Glas hereinscheint; in allen Varianten dasselbe</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>Außen</translation>
+    </message>
+    <message>
+        <source>Standard skies of ISO 15469 (CIE S 011), and the traditional overcast one</source>
+        <translation>Normhimmel der ISO 15469 (CIE S 011) und der herkömmliche bedeckte</translation>
+    </message>
+    <message>
+        <source>From north (+y) clockwise seen from above: 90° is east (+x)</source>
+        <translation>Von Norden (+y) im Uhrzeigersinn von oben gesehen: 90° ist Osten (+x)</translation>
+    </message>
+    <message>
+        <source>Above the horizon</source>
+        <translation>Über dem Horizont</translation>
+    </message>
+    <message>
+        <source>Of the sky alone on an open horizontal plane, without the sun</source>
+        <translation>Des Himmels allein auf einer freien waagrechten Ebene, ohne die Sonne</translation>
+    </message>
+    <message>
+        <source>Of the sun alone on a plane that faces it; 0: no sun</source>
+        <translation>Der Sonne allein auf einer Ebene, die ihr zugewandt ist; 0: keine Sonne</translation>
+    </message>
+    <message>
+        <source>Of the ground around the building, which mirrors the sky&apos;s light evenly</source>
+        <translation>Des Bodens um das Gebäude, der das Himmelslicht gleichmäßig zurückwirft</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>Sun azimuth</source>
+        <translation>Sonnenazimut</translation>
+    </message>
+    <message>
+        <source>Sun altitude</source>
+        <translation>Sonnenhöhe</translation>
+    </message>
+    <message>
+        <source>Sky light</source>
+        <translation>Himmelslicht</translation>
+    </message>
+    <message>
+        <source>Sunlight</source>
+        <translation>Sonnenlicht</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Sky type</source>
+        <translation>Art des Himmels</translation>
+    </message>
+    <message>
+        <source>Ground reflectance</source>
+        <translation>Reflexionsgrad des Bodens</translation>
+    </message>
+    <message>
+        <source>An HDR or EXR picture of the surroundings, all round</source>
+        <translation>Ein HDR- oder EXR-Bild der Umgebung ringsum</translation>
+    </message>
+    <message>
+        <source>Latitude and longitude</source>
+        <translation>Länge und Breite</translation>
+    </message>
+    <message>
+        <source>Angular map (mirror ball)</source>
+        <translation>Winkelkarte (Spiegelkugel)</translation>
+    </message>
+    <message>
+        <source>Cross</source>
+        <translation>Kreuz</translation>
+    </message>
+    <message>
+        <source>How the picture is laid out; its centre looks to +y</source>
+        <translation>Wie das Bild aufgeteilt ist; seine Mitte blickt nach +y</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise seen from above</source>
+        <translation>Gegen den Uhrzeigersinn, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>Luminance of a pixel of value 1, cd/m²</source>
+        <translation>Leuchtdichte eines Pixels vom Wert 1, cd/m²</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Layout</source>
+        <translation>Aufteilung</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Layout of the light probe</source>
+        <translation>Aufteilung der Lichtsonde</translation>
+    </message>
+    <message>
+        <source>Turn the surroundings</source>
+        <translation>Umgebung drehen</translation>
+    </message>
+    <message>
+        <source>Scale of the light probe</source>
+        <translation>Maßstab der Lichtsonde</translation>
+    </message>
+    <message>
+        <source>Luminance of the formula&apos;s value 1, cd/m²</source>
+        <translation>Leuchtdichte des Formelwerts 1, cd/m²</translation>
+    </message>
+    <message>
+        <source>Overhead gain</source>
+        <translation>Verstärkung oben</translation>
+    </message>
+    <message>
+        <source>max(0, gain · cos θ − threshold): the patch overhead</source>
+        <translation>max(0, Verstärkung · cos θ − Schwelle): der Fleck oben</translation>
+    </message>
+    <message>
+        <source>Overhead threshold</source>
+        <translation>Schwelle oben</translation>
+    </message>
+    <message>
+        <source>Side gain</source>
+        <translation>Verstärkung Seite</translation>
+    </message>
+    <message>
+        <source>The patch at the horizon</source>
+        <translation>Der Fleck am Horizont</translation>
+    </message>
+    <message>
+        <source>Side threshold</source>
+        <translation>Schwelle Seite</translation>
+    </message>
+    <message>
+        <source>Light from outside</source>
+        <translation>Licht von außen</translation>
+    </message>
+    <message>
+        <source>Light probe</source>
+        <translation>Lichtsonde</translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation>Bilder (%1)</translation>
+    </message>
+    <message>
+        <source>Reading the picture…</source>
+        <translation>Das Bild wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Nothing shines in. Windows need an opening or a material that is glass (see Materials).</source>
+        <translation>Nichts scheint herein. Fenster brauchen eine Öffnung oder ein Material aus Glas (siehe Materialien).</translation>
     </message>
 </context>
 <context>
@@ -2653,6 +2912,26 @@
         <source>Its picture %1 is multiplied by the colour.</source>
         <translation>Sein Bild %1 wird mit der Farbe multipliziert.</translation>
     </message>
+    <message>
+        <source>Clear glass</source>
+        <translation>Klares Glas</translation>
+    </message>
+    <message>
+        <source>A sheet that light shines through; the building is computed anew</source>
+        <translation>Eine Scheibe, durch die Licht scheint; das Gebäude wird neu berechnet</translation>
+    </message>
+    <message>
+        <source>Of the whole sheet, seen straight on; double glazing has two</source>
+        <translation>Der ganzen Scheibe, senkrecht gesehen; Isolierglas hat zwei</translation>
+    </message>
+    <message>
+        <source>Transmittance</source>
+        <translation>Transmissionsgrad</translation>
+    </message>
+    <message>
+        <source>Glass</source>
+        <translation>Glas</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::MixerPanel</name>
@@ -2886,6 +3165,10 @@
         <source>Luminaire</source>
         <translation>Leuchte</translation>
     </message>
+    <message>
+        <source>Light from outside</source>
+        <translation>Licht von außen</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::ProfileChart</name>
@@ -2936,10 +3219,6 @@
 <context>
     <name>soffit::ui::ProjectSession</name>
     <message>
-        <source>Light from outside is not shown in the window yet; the command line computes it (soffit measure, render, compare, verify).</source>
-        <translation>Licht von außen zeigt das Fenster noch nicht; die Kommandozeile berechnet es (soffit measure, render, compare, verify).</translation>
-    </message>
-    <message>
         <source>The picture was not written</source>
         <translation>Das Bild wurde nicht geschrieben</translation>
     </message>
@@ -2974,6 +3253,14 @@
     <message>
         <source>Verified: RMS %1 %</source>
         <translation>Geprüft: RMS %1 %</translation>
+    </message>
+    <message>
+        <source>The picture was not read</source>
+        <translation>Das Bild wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>Light from outside was left out; any change of it computes it again</source>
+        <translation>Das Licht von außen wurde weggelassen; jede Änderung daran berechnet es neu</translation>
     </message>
 </context>
 <context>
@@ -3145,6 +3432,22 @@
     <message>
         <source>Empty between them and the light: no test at all</source>
         <translation>Zwischen ihnen und der Leuchte ist nichts: kein einziger Test</translation>
+    </message>
+    <message>
+        <source>Light from outside</source>
+        <translation>Licht von außen</translation>
+    </message>
+    <message>
+        <source>Found exactly at rest; mixed from smooth skies while a slider is held</source>
+        <translation>In Ruhe genau; aus glatten Himmeln gemischt, solange ein Regler gehalten wird</translation>
+    </message>
+    <message>
+        <source>being computed</source>
+        <translation>wird berechnet</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
     </message>
 </context>
 <context>

@@ -22,6 +22,7 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "tracing gather rays"), QT_TRANSLATE_NOOP("Core", "storing the bake"),
     QT_TRANSLATE_NOOP("Core", "computing luminaires"),
     QT_TRANSLATE_NOOP("Core", "looking for the sky"),
+    QT_TRANSLATE_NOOP("Core", "light of smooth skies"),
     QT_TRANSLATE_NOOP("Core", "comparing layouts"),
     QT_TRANSLATE_NOOP("Core", "tracing reference paths"),
     // scene::demandOf()
@@ -38,8 +39,7 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "no luminaire casts a shadow"),
     QT_TRANSLATE_NOOP("Core", "light from outside"),
     QT_TRANSLATE_NOOP("Core", "the project has no environment"),
-    QT_TRANSLATE_NOOP("Core", "sunlight"),
-    QT_TRANSLATE_NOOP("Core", "the environment has no sun"),
+    QT_TRANSLATE_NOOP("Core", "sunlight"), QT_TRANSLATE_NOOP("Core", "the environment has no sun"),
     QT_TRANSLATE_NOOP("Core", "light through glass"),
     QT_TRANSLATE_NOOP("Core", "no material is glass")};
 

@@ -25,6 +25,10 @@ std::set<std::string> filesOf(const scene::Scene& scene) {
       if (edit.distribution) files.insert(edit.distribution->file);
     }
   }
+  if (scene.environment) {
+    const auto* probe = std::get_if<scene::Probe>(&scene.environment->light);
+    if (probe != nullptr) files.insert(probe->file);
+  }
   return files;
 }
 

@@ -14,9 +14,9 @@ namespace soffit::ui {
 /// The files that a luminaire cannot do without: its photometry and its mesh.
 std::vector<std::string> filesOf(const light::Luminaire& luminaire);
 
-/// Files that luminaires name but the project's folder does not hold yet: photometry of the
-/// library, meshes made from the building. They reach the disk when the project is saved, and only
-/// if the scene still names them.
+/// Files that luminaires and surroundings name but the project's folder does not hold yet:
+/// photometry of the library, meshes made from the building, light probes. They reach the disk when
+/// the project is saved, and only if the scene still names them.
 class PendingFiles {
  public:
   /// The name under which `bytes` will lie in the folder: `wanted`, numbered on where another file

@@ -43,7 +43,33 @@ std::optional<LightColumns::Answer> LightColumns::paintedLight(
   if (entry == entries_.end() || &entry->lighting->solver() == solver_.get()) return std::nullopt;
   if (luminaires.size() < kManyLuminaires) return std::nullopt;
   if (!scene::sameList(entry->luminaires, luminaires)) return std::nullopt;
+  if (entry->outside != outside_) return std::nullopt;
   auto total = entry->lighting->totalUnder(*solver_);
+  if (!total) return std::nullopt;
+  Answer answer;
+  answer.lux = std::move(*total);
+  answer.emitters.assign(entry->lighting->emitters().begin(), entry->lighting->emitters().end());
+  return answer;
+}
+
+void LightColumns::setOutside(std::shared_ptr<const daylight::Environment> outside) {
+  outside_ = std::move(outside);
+}
+
+bool LightColumns::lacksOutside(const std::string& layout) const {
+  const auto entry = std::ranges::find(entries_, layout, &Entry::layout);
+  const bool found = entry != entries_.end() && entry->outside == outside_;
+  return !found && outside_ != nullptr && !solver_->knowsSkyLight(outside_.get());
+}
+
+std::optional<LightColumns::Answer> LightColumns::lightUnder(
+    const daylight::Environment& outside, const std::string& layout,
+    const std::vector<light::Luminaire>& luminaires, const Job& job) {
+  const auto entry = std::ranges::find(entries_, layout, &Entry::layout);
+  if (entry == entries_.end() || entry->half_painted) return std::nullopt;
+  if (&entry->lighting->solver() != solver_.get()) return std::nullopt;
+  if (!scene::sameList(entry->luminaires, luminaires)) return std::nullopt;
+  auto total = entry->lighting->totalUnderSky(outside, job);
   if (!total) return std::nullopt;
   Answer answer;
   answer.lux = std::move(*total);
@@ -106,7 +132,7 @@ Result<void> LightColumns::moveHand(Entry& entry, const std::vector<light::Lumin
 
 /// Notes which luminaires shed another light, not only more or less of it.
 Result<void> LightColumns::take(Entry& entry, const std::vector<light::Luminaire>& luminaires,
-                                const Job& job) {
+                                const Job& job, Outside part) {
   const std::vector<light::Luminaire> before = std::exchange(entry.luminaires, {});
   if (!entry.grabbed.empty() || before.size() != luminaires.size()) entry.sums.clear();
   entry.grabbed.clear();
@@ -124,13 +150,22 @@ Result<void> LightColumns::take(Entry& entry, const std::vector<light::Luminaire
     const bool same = i < before.size() && sameButMix(before[i], luminaires[i]);
     entry.changed[i] = entry.changed[i] || !same;
   }
-  if (set) {
-    entry.half_painted = false;
-    entry.luminaires = luminaires;
-  } else {
+  if (!set) {
     entry.sums.clear();
+    if (entry.lighting->environment() != nullptr && entry.lighting->outdoorLights().empty()) {
+      // What shines in was given up half way: it is found again.
+      (void)entry.lighting->setEnvironment(nullptr);
+      entry.outside = nullptr;
+    }
+    return set;
   }
-  return set;
+  entry.half_painted = false;
+  entry.luminaires = luminaires;
+  if (part == Outside::as_it_was || entry.outside == outside_) return {};
+  entry.outside = nullptr;
+  auto shone = entry.lighting->setEnvironment(outside_, job);
+  if (shone) entry.outside = outside_;
+  return shone;
 }
 
 relight::Planes LightColumns::mixed(Entry& entry) {
@@ -149,15 +184,16 @@ const relight::Lighting* LightColumns::lightingOf(const std::string& layout) con
 Result<LightColumns::Answer> LightColumns::light(const std::string& layout,
                                                  const std::vector<light::Luminaire>& luminaires,
                                                  const std::vector<std::size_t>& in_hand,
-                                                 const Job& job) {
+                                                 const Job& job, Outside part) {
   Entry& entry = entryOf(layout);
   relight::Lighting& lighting = *entry.lighting;
   Answer answer;
   const bool painted = entry.half_painted || &lighting.solver() != solver_.get();
-  if (!painted && onlyMoved(entry, luminaires, in_hand)) {
+  const bool shines = part == Outside::as_it_was || entry.outside == outside_;
+  if (!painted && shines && onlyMoved(entry, luminaires, in_hand)) {
     if (const auto done = moveHand(entry, luminaires, in_hand, answer); !done) return done.error();
   } else {
-    if (const auto taken = take(entry, luminaires, job); !taken) return taken.error();
+    if (const auto taken = take(entry, luminaires, job, part); !taken) return taken.error();
     answer.lux = mixed(entry);
   }
   answer.emitters.assign(lighting.emitters().begin(), lighting.emitters().end());

@@ -23,8 +23,12 @@ struct LightFrame {
   relight::Planes lux;                            ///< RGB per slot, all luminaires
   std::vector<light::Emitter> emitters;           ///< scene-local, in the order of the luminaires
   std::vector<std::string> names;                 ///< of the luminaires
-  /// What each luminaire gives the probes of the request, lux; empty for one on no lit surface.
+  /// What each luminaire gives the probes of the request, lux, and what shines in from outside
+  /// after them where something does; empty for one on no lit surface.
   std::vector<std::vector<double>> shares;
+  /// What shone in; null: nothing.
+  std::shared_ptr<const daylight::Environment> outside;
+  bool complete = true;        ///< false: what shines in from outside is still to come
   std::uint64_t revision = 0;  ///< of the request that it answers
   relight::StageTimes times;   ///< of a move; zero otherwise
   light::DirectCounts counts;  ///< of a move; zero otherwise

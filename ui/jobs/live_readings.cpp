@@ -44,6 +44,8 @@ bool LiveReadings::isCurrent() const {
 }
 
 void LiveReadings::onFrame() {
+  // Exact light from outside is on its way.
+  if (!relighting_.frame()->complete) return;
   if (!document_.previewing()) {
     request();
   } else if (!pause_.isActive()) {
@@ -55,9 +57,10 @@ void LiveReadings::onFrame() {
 void LiveReadings::request() {
   pause_.stop();
   const LightFramePtr& frame = relighting_.frame();
-  if (frame == nullptr) return;
+  if (frame == nullptr || !frame->complete) return;
   ReadingsRequest request;
   request.solver = frame->solver;
+  request.outside = frame->outside;
   request.scene = document_.scene();
   request.shown = toStd(document_.layout());
   request.luminaires = document_.luminaires();

@@ -43,6 +43,7 @@ bool OtherLights::isCurrent(const QString& layout) const {
   const auto known = known_.find(layout);
   return known != known_.end() && relighting_.frame() != nullptr &&
          known->second.frame->solver == relighting_.frame()->solver &&
+         known->second.frame->outside == relighting_.frame()->outside &&
          scene::sameList(known->second.luminaires, luminairesOf(layout));
 }
 

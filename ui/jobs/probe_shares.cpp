@@ -39,7 +39,9 @@ std::vector<std::vector<double>> ProbeShares::last(const std::vector<io::Probe>&
 
 bool ProbeShares::knows(const std::vector<io::Probe>& probes, const LightColumns& columns,
                         const std::string& layout, std::size_t in_hand) const {
+  const relight::Lighting* lighting = columns.lightingOf(layout);
   return probes == probes_ && layout == layout_ && columns.solver() == solver_ &&
+         lighting != nullptr && lighting->environment() == outside_ &&
          std::ranges::all_of(shares_,
                              [&](const auto& own) { return own.empty() || in_hand < own.size(); });
 }
@@ -47,7 +49,7 @@ bool ProbeShares::knows(const std::vector<io::Probe>& probes, const LightColumns
 void ProbeShares::giveRest(const relight::Planes& lux, std::size_t in_hand) {
   for (std::size_t p = 0; p < places_.size(); ++p) {
     if (!places_[p]) continue;
-    double others = outside_[p];
+    double others = 0.0;
     for (std::size_t i = 0; i < shares_[p].size(); ++i) {
       if (i != in_hand) others += shares_[p][i];
     }
@@ -71,8 +73,8 @@ std::vector<std::vector<double>> ProbeShares::of(const std::vector<io::Probe>& p
   places_.clear();
   for (const io::Probe& probe : probes) places_.push_back(placeOf(probe, *columns.solver()));
   shares_.assign(probes.size(), {});
-  outside_.assign(probes.size(), 0.0);
   const relight::Lighting* lighting = columns.lightingOf(layout);
+  outside_ = lighting == nullptr ? nullptr : lighting->environment();
   if (lighting == nullptr) return shares_;
   for (std::size_t p = 0; p < places_.size(); ++p) {
     if (!places_[p]) continue;
@@ -80,9 +82,12 @@ std::vector<std::vector<double>> ProbeShares::of(const std::vector<io::Probe>& p
       shares_[p].push_back(
           luxAt(*places_[p], *lighting, {&lighting->column(i), lighting->weight(i)}));
     }
+    if (outside_ == nullptr) continue;
+    double outside = 0.0;
     for (const relight::WeightedColumn& light : lighting->outdoorLights()) {
-      outside_[p] += luxAt(*places_[p], *lighting, light);
+      outside += luxAt(*places_[p], *lighting, light);
     }
+    shares_[p].push_back(outside);
   }
   return shares_;
 }

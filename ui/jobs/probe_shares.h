@@ -17,7 +17,8 @@ namespace soffit::ui {
 /// thread.
 class ProbeShares {
  public:
-  /// Lux per probe and luminaire, in the order of both; empty for a probe on no lit surface.
+  /// Lux per probe and luminaire, in the order of both, and one more of what shines in from outside
+  /// where something does; empty for a probe on no lit surface.
   /// lux: the light of all at the texels of the columns' solver.
   std::vector<std::vector<double>> of(const std::vector<io::Probe>& probes,
                                       const LightColumns& columns, const std::string& layout,
@@ -37,7 +38,7 @@ class ProbeShares {
   std::shared_ptr<const relight::Solver> solver_;
   std::vector<std::optional<ProbePlace>> places_;
   std::vector<std::vector<double>> shares_;
-  std::vector<double> outside_;  ///< per probe: what shines in from outside
+  const daylight::Environment* outside_ = nullptr;  ///< what shone in
 };
 
 }  // namespace soffit::ui

@@ -101,6 +101,8 @@ bool ReadingsWorker::prepare(const ReadingsRequest& request) {
     sensors_->setSolver(solver_);
     known_.clear();
   }
+  if (outside_ != request.outside) known_.clear();
+  outside_ = request.outside;
   return true;
 }
 
@@ -131,7 +133,7 @@ Result<LayoutReading> ReadingsWorker::read(const ReadingsRequest& request,
   }
   std::vector<relight::SensorLight> light;
   if (!planes_.empty()) {
-    auto answer = sensors_->read(emitters, job);
+    auto answer = sensors_->read(emitters, outside_, job);
     if (!answer) return answer.error();
     light = std::move(*answer);
   }

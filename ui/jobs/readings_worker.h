@@ -19,6 +19,7 @@ namespace soffit::ui {
 /// A state of the scene whose work planes are to be read.
 struct ReadingsRequest {
   std::shared_ptr<const relight::Solver> solver;
+  std::shared_ptr<const daylight::Environment> outside;  ///< that shines in; null: nothing
   ScenePtr scene;
   std::string shown;                         ///< layout, empty for the base
   std::vector<light::Luminaire> luminaires;  ///< of the layout that is shown
@@ -73,6 +74,7 @@ class ReadingsWorker : public QObject {
   std::vector<scene::WorkPlane> planes_;
   int rays_ = 0;
   std::shared_ptr<const relight::Solver> solver_;
+  std::shared_ptr<const daylight::Environment> outside_;
   std::vector<Known> known_;
   PowerTable power_;
 

@@ -46,6 +46,14 @@ void RelightWorker::request(LightRequest request) {
 }
 
 void RelightWorker::cancelBake() {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (finding_outside_) {
+      leave_out_ = true;
+      current_.request_stop();
+    }
+  }
+  wake_.notify_all();
   const std::scoped_lock lock(bake_mutex_);
   if (bake_ != nullptr) bake_->cancel();
 }
@@ -112,10 +120,16 @@ void RelightWorker::run(const std::stop_token& stop) {
     {
       std::unique_lock lock(mutex_);
       wake_.wait(lock, stop, [this] {
-        return newest_.has_value() || arrived_.has_value() || (has_solver_ && other_.has_value());
+        return newest_.has_value() || arrived_.has_value() || leave_out_ ||
+               (has_solver_ && other_.has_value());
       });
       if (stop.stop_requested()) return;
-      if (!newest_ && !arrived_) other = std::exchange(other_, std::nullopt);
+      if (std::exchange(leave_out_, false)) {
+        columns_.setOutside(nullptr);
+        Q_EMIT outsideLeftOut();
+      } else if (!newest_ && !arrived_) {
+        other = std::exchange(other_, std::nullopt);
+      }
       if (newest_) last_ = std::exchange(newest_, std::nullopt);
       if (arrived_) {
         columns_.setSolver(arrived_->solver);
@@ -154,10 +168,52 @@ void RelightWorker::ensureMaterials(const LightRequest& request) {
   columns_.repaint(columns_.solver()->repainted(materials_));
 }
 
+void RelightWorker::ensureOutside(const LightRequest& request) {
+  const auto& wanted = request.scene->environment;
+  if (outside_.has_value() == wanted.has_value() && (!wanted || scene::same(*outside_, *wanted))) {
+    return;
+  }
+  outside_ = wanted;
+  columns_.setOutside(
+      wanted ? std::make_shared<const daylight::Environment>(*wanted, columns_.outside().get())
+             : nullptr);
+}
+
+/// The light under surroundings that a slider moves; null where it cannot be mixed.
+LightFramePtr RelightWorker::heldOutside(const LightRequest& request, const std::stop_token& stop) {
+  if (!request.outside_in_hand || !request.scene->environment) return nullptr;
+  const auto start = Clock::now();
+  auto outside = std::make_shared<const daylight::Environment>(*request.scene->environment,
+                                                               columns_.outside().get());
+  auto answer =
+      columns_.lightUnder(*outside, request.layout, request.luminaires, Job{&relay_, stop});
+  Q_EMIT lightFinished();
+  if (!answer) return nullptr;
+  LightFrame frame = frameOf(request, std::move(*answer), start);
+  frame.outside = std::move(outside);
+  frame.complete = false;
+  frame.shares = shares_.last(request.probes, request.layout);
+  return std::make_shared<const LightFrame>(std::move(frame));
+}
+
+/// Where nothing is shown yet, the luminaires' light comes before that from outside.
+void RelightWorker::serveWithoutOutside(const LightRequest& request, const std::stop_token& stop) {
+  if (columns_.lightingOf(request.layout) != nullptr) return;
+  const auto start = Clock::now();
+  auto answer = columns_.light(request.layout, request.luminaires, std::nullopt, Job{nullptr, stop},
+                               LightColumns::Outside::as_it_was);
+  if (!answer) return;  // told by those who come next
+  LightFrame frame = frameOf(request, std::move(*answer), start);
+  frame.outside = nullptr;
+  frame.complete = false;
+  publish(std::make_shared<const LightFrame>(std::move(frame)));
+}
+
 LightFrame RelightWorker::frameOf(const LightRequest& request, LightColumns::Answer answer,
                                   Clock::time_point start) const {
   LightFrame frame;
   frame.solver = columns_.solver();
+  frame.outside = columns_.outside();
   frame.lux = std::move(answer.lux);
   frame.times = answer.times;
   frame.counts = answer.counts;
@@ -170,13 +226,30 @@ LightFrame RelightWorker::frameOf(const LightRequest& request, LightColumns::Ans
 
 LightFramePtr RelightWorker::lightOf(const LightRequest& request, const std::stop_token& stop) {
   const auto start = Clock::now();
-  auto answer =
-      columns_.light(request.layout, request.luminaires, request.in_hand, Job{nullptr, stop});
+  // While the building is precomputed, that tells how far it is.
+  const bool lacks = columns_.lacksOutside(request.layout);
+  // A drag does not wait for it: what shone in before goes on shining until the hand rests.
+  const bool passing = lacks && (request.in_hand || !request.stops_older);
+  const bool tells = lacks && !passing && !columns_.solver()->operators().coarse;
+  {
+    const std::scoped_lock lock(mutex_);
+    finding_outside_ = tells;
+  }
+  auto answer = columns_.light(request.layout, request.luminaires, request.in_hand,
+                               Job{tells ? &relay_ : nullptr, stop},
+                               passing ? LightColumns::Outside::as_it_was
+                                       : LightColumns::Outside::found);
+  if (tells) {
+    const std::scoped_lock lock(mutex_);
+    finding_outside_ = false;
+  }
+  if (tells) Q_EMIT lightFinished();
   if (!answer) {
     if (!stop.stop_requested()) Q_EMIT failed(messageOf(answer.error()));
     return nullptr;
   }
   LightFrame frame = frameOf(request, std::move(*answer), start);
+  frame.complete = !passing;
   // Many luminaires in a drag leave no time for it.
   if (request.stops_older) {
     const auto one =
@@ -193,12 +266,18 @@ void RelightWorker::serve(const LightRequest& request, const std::stop_token& st
   if (!has_solver_) return;  // its arrival wakes this thread
   ensureMaterials(request);
   columns_.keep(request.layout);
+  if (LightFramePtr frame = heldOutside(request, stop)) {
+    publish(std::move(frame));
+    return;
+  }
+  ensureOutside(request);
   const auto start = Clock::now();
   if (auto painted = columns_.paintedLight(request.layout, request.luminaires)) {
     LightFrame frame = frameOf(request, std::move(*painted), start);
     frame.shares = shares_.last(request.probes, request.layout);
     publish(std::make_shared<const LightFrame>(std::move(frame)));
   }
+  if (columns_.lacksOutside(request.layout)) serveWithoutOutside(request, stop);
   if (LightFramePtr frame = lightOf(request, stop)) publish(std::move(frame));
 }
 

@@ -25,6 +25,8 @@ struct LightRequest {
   std::vector<std::size_t> in_hand;          ///< luminaires that are being dragged, rising
   std::vector<io::Probe> probes;             ///< that want to know who lights them
   std::uint64_t revision = 0;                ///< rising
+  /// Surroundings that are being turned or changed: their light is mixed from columns for now.
+  bool outside_in_hand = false;
   /// Older work is given up. Not while many luminaires are dragged: each step of that takes longer
   /// than the mouse leaves, and none would ever be finished.
   bool stops_older = true;
@@ -49,7 +51,8 @@ class RelightWorker : public QObject {
   void requestOther(LightRequest request);
   /// Null where its luminaires have a fault (failed() told it).
   LightFramePtr takeOther();
-  /// Gives up the precomputation; the coarse light stays, if there is any.
+  /// Gives up the precomputation; the coarse light stays, if there is any. What shines in from
+  /// outside is left out, if that is what is being computed, until it is asked for another way.
   void cancelBake();
   /// The newest finished light, once each; null when there is nothing new.
   LightFramePtr takeFrame();
@@ -58,6 +61,10 @@ class RelightWorker : public QObject {
   void frameReady();
   void otherReady();
   void progressed(const QString& stage, double done);
+  /// Light that told its progress is there, or was given up.
+  void lightFinished();
+  /// The user would not wait for what shines in from outside.
+  void outsideLeftOut();
   /// The precomputation ended: detail is a line for the log, empty when it was cancelled.
   void bakeFinished(const QString& detail);
   void failed(const QString& message);
@@ -72,6 +79,9 @@ class RelightWorker : public QObject {
   [[nodiscard]] LightFramePtr lightOf(const LightRequest& request, const std::stop_token& stop);
   void ensureBake(const LightRequest& request);
   void ensureMaterials(const LightRequest& request);
+  void ensureOutside(const LightRequest& request);
+  [[nodiscard]] LightFramePtr heldOutside(const LightRequest& request, const std::stop_token& stop);
+  void serveWithoutOutside(const LightRequest& request, const std::stop_token& stop);
   void onSolver(Result<SolverBake::Outcome> outcome);
   void publish(LightFramePtr frame);
 
@@ -86,12 +96,15 @@ class RelightWorker : public QObject {
   std::optional<LightRequest> other_;           // guarded by mutex_
   LightFramePtr other_frame_;                   // guarded by mutex_
   std::stop_source current_;                    // guarded by mutex_
+  bool finding_outside_ = false;                // guarded by mutex_
+  bool leave_out_ = false;                      // guarded by mutex_
 
   // Of the light thread alone.
   LightColumns columns_;
   ProbeShares shares_;
   std::vector<scene::Material> materials_;
   std::optional<LightRequest> last_;
+  std::optional<scene::Environment> outside_;  ///< that columns_ has, as it was described
   bool has_solver_ = false;
 
   std::mutex bake_mutex_;

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "ui/jobs/relighting.h"
 
+#include "core/scene/equality.h"
 #include "ui/document/text.h"
 
 namespace soffit::ui {
+namespace {
+
+bool sameOutside(const scene::Scene& a, const scene::Scene& b) {
+  return a.environment.has_value() == b.environment.has_value() &&
+         (!a.environment || scene::same(*a.environment, *b.environment));
+}
+
+}  // namespace
 
 Relighting::Relighting(Document& document, bool use_cache, QObject* parent)
     : QObject(parent), document_(document), worker_(use_cache) {
@@ -19,7 +28,7 @@ Relighting::Relighting(Document& document, bool use_cache, QObject* parent)
 }
 
 bool Relighting::isCurrent() const {
-  return frame_ != nullptr && frame_->revision == revision_;
+  return frame_ != nullptr && frame_->revision == revision_ && frame_->complete;
 }
 
 void Relighting::request() {
@@ -29,8 +38,11 @@ void Relighting::request() {
   request.luminaires = document_.litLuminaires();
   request.probes = document_.probes();
   request.revision = ++revision_;
-  request.stops_older = !document_.previewing() || document_.selection().size() <= 1;
-  if (document_.previewing()) {
+  if (!document_.previewing()) settled_ = document_.scene();
+  request.outside_in_hand = document_.previewing() && !sameOutside(*settled_, *document_.scene());
+  request.stops_older =
+      !document_.previewing() || (document_.selection().size() <= 1 && !request.outside_in_hand);
+  if (document_.previewing() && !request.outside_in_hand) {
     for (std::size_t i = 0; i < request.luminaires.size(); ++i) {
       if (document_.selection().contains(toQt(request.luminaires[i].name))) {
         request.in_hand.push_back(i);

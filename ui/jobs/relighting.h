@@ -32,6 +32,7 @@ class Relighting : public QObject {
   RelightWorker worker_;
   LightFramePtr frame_;
   quint64 revision_ = 0;
+  ScenePtr settled_;  ///< the scene before a preview
 };
 
 }  // namespace soffit::ui

@@ -15,7 +15,9 @@ namespace {
 /// Whether light and the points at which it is verified are the same.
 bool sameForLight(const scene::Scene& a, const scene::Scene& b) {
   const bool paint = scene::sameReflectances(a.materials, b.materials);
-  return paint && scene::sameList(a.work_planes, b.work_planes) &&
+  const bool outside = a.environment.has_value() == b.environment.has_value() &&
+                       (!a.environment || scene::same(*a.environment, *b.environment));
+  return paint && outside && scene::sameList(a.work_planes, b.work_planes) &&
          scene::same(a.quality, b.quality) && (a.mesh == b.mesh || scene::same(*a.mesh, *b.mesh));
 }
 
@@ -98,7 +100,6 @@ void Verification::run() {
     }
     scene::Scene scene = *light->scene;
     scene.luminaires = light->luminaires;
-    scene.environment.reset();  // the light that is shown has none
     auto report = design::verify(solver, scene, options, Job{&relay_, stop});
     light->seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

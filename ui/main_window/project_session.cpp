@@ -50,15 +50,12 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
   workspace_.luminaire->setDocument(&document_);
   workspace_.mixer->setDocument(&document_);
   workspace_.materials->setDocument(&document_);
+  workspace_.daylight->setDocument(&document_);
   workspace_.layouts->setDocument(&document_);
   workspace_.view->setDocument(&document_);
   workspace_.quality->setDocument(&document_);
   for (const std::string& warning : document_.project().warnings) {
     workspace_.log->addWarning(toQt(warning));
-  }
-  if (document_.scene()->environment) {
-    workspace_.log->addWarning(tr("Light from outside is not shown in the window yet; the command "
-                                  "line computes it (soffit measure, render, compare, verify)."));
   }
   connectView();
   connectPanels();
@@ -96,6 +93,7 @@ ProjectSession::~ProjectSession() {
   workspace_.luminaire->setDocument(nullptr);
   workspace_.mixer->setDocument(nullptr);
   workspace_.materials->setDocument(nullptr);
+  workspace_.daylight->setDocument(nullptr);
   workspace_.layouts->setDocument(nullptr);
   workspace_.view->setDocument(nullptr);
   workspace_.quality->setDocument(nullptr);
@@ -145,6 +143,11 @@ void ProjectSession::connectPanels() {
     if (!set) workspace_.log->addWarning(messageOf(set.error()));
   };
   connect(panel, &ViewPanel::lookChanged, this, take_look);
+  connect(workspace_.daylight, &DaylightPanel::held, this,
+          [this](bool in_hand) { workspace_.area->active().view().setMoving(in_hand); });
+  connect(workspace_.daylight, &DaylightPanel::failed, this, [this](const QString& message) {
+    showError(workspace_.area->window(), tr("The picture was not read"), message);
+  });
   CamerasPanel* cameras = workspace_.cameras;
   connect(cameras, &CamerasPanel::cameraChosen, this, &ProjectSession::showCamera);
   connect(&workspace_.area->grid(), &ViewGrid::cameraChosen, this, &ProjectSession::showCamera);
@@ -162,6 +165,11 @@ void ProjectSession::connectProgress() {
     workspace_.log->addLine(detail.isEmpty() ? tr("The precomputation was cancelled") : detail);
     if (relighting_.frame() == nullptr && detail.isEmpty())
       workspace_.area->setNotice(tr("No light was computed"));
+  });
+  connect(&worker, &RelightWorker::lightFinished, workspace_.status, &StatusLine::endProgress);
+  connect(&worker, &RelightWorker::outsideLeftOut, this, [this] {
+    workspace_.log->addLine(
+        tr("Light from outside was left out; any change of it computes it again"));
   });
   connect(&worker, &RelightWorker::failed, workspace_.log, &LogPanel::addWarning);
   connect(workspace_.status, &StatusLine::cancelRequested, &worker, &RelightWorker::cancelBake);
@@ -218,7 +226,8 @@ void ProjectSession::exportResults() {
 
 void ProjectSession::onFrame() {
   workspace_.quality->showFrame(*relighting_.frame());
-  if (document_.luminaires().empty() && workspace_.area->view().frame() == nullptr) {
+  const bool dark = document_.luminaires().empty() && !document_.scene()->environment;
+  if (dark && workspace_.area->view().frame() == nullptr) {
     // A building in the dark cannot be worked in: it stays as it came until it has luminaires.
     const bool nothing = document_.scene()->mesh->triangleCount() == 0;
     workspace_.area->setNotice(

@@ -48,6 +48,7 @@ Workspace makeWorkspace(QMainWindow& window) {
   w.luminaire = new LuminairePanel;
   w.mixer = new MixerPanel;
   w.materials = new MaterialsPanel;
+  w.daylight = new DaylightPanel;
   w.layouts = new LayoutsPanel;
   w.view = new ViewPanel;
   w.cameras = new CamerasPanel;
@@ -76,6 +77,8 @@ Workspace makeWorkspace(QMainWindow& window) {
       dock(window, w, Qt::RightDockWidgetArea, tr("Quality"), "quality", scrolled(w.quality));
   QDockWidget* materials =
       dock(window, w, Qt::RightDockWidgetArea, tr("Materials"), "materials", scrolled(w.materials));
+  QDockWidget* daylight =
+      dock(window, w, Qt::RightDockWidgetArea, tr("Daylight"), "daylight", scrolled(w.daylight));
   QDockWidget* library =
       dock(window, w, Qt::LeftDockWidgetArea, tr("Library"), "library", w.library);
   QDockWidget* layouts =
@@ -97,6 +100,7 @@ Workspace makeWorkspace(QMainWindow& window) {
   window.tabifyDockWidget(log, history);
   lights->raise();
   window.tabifyDockWidget(properties, materials);
+  window.tabifyDockWidget(materials, daylight);
   properties->raise();
   window.tabifyDockWidget(view, cameras);
   window.tabifyDockWidget(cameras, mixer);

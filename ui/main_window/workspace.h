@@ -3,6 +3,7 @@
 
 #include "ui/main_window/view_area.h"
 #include "ui/panels/cameras_panel.h"
+#include "ui/panels/daylight_panel.h"
 #include "ui/panels/layouts_panel.h"
 #include "ui/panels/library_panel.h"
 #include "ui/panels/lights_panel.h"
@@ -31,6 +32,7 @@ struct Workspace {
   LuminairePanel* luminaire = nullptr;
   MixerPanel* mixer = nullptr;
   MaterialsPanel* materials = nullptr;
+  DaylightPanel* daylight = nullptr;
   LayoutsPanel* layouts = nullptr;
   ViewPanel* view = nullptr;
   CamerasPanel* cameras = nullptr;

@@ -7,6 +7,7 @@
 #include "ui/document/material_edits.h"
 #include "ui/document/text.h"
 
+#include <QCheckBox>
 #include <QColorDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -25,7 +26,7 @@ namespace soffit::ui {
 namespace {
 
 /// Ways that are one undo step each.
-enum MergeKey { kRhoWay = 201, kMaterialColourWay, kSpecularWay, kRoughnessWay };
+enum MergeKey { kRhoWay = 201, kMaterialColourWay, kSpecularWay, kRoughnessWay, kGlassWay };
 
 QColor shown(const dvec3& linear) {
   const auto code = [](double v) {
@@ -70,6 +71,8 @@ MaterialsPanel::MaterialsPanel(QWidget* parent)
       specular_(new QuantityBox(Dimension::share)),
       roughness_slider_(new QSlider(Qt::Horizontal)),
       roughness_(new QuantityBox(Dimension::share)),
+      glass_(new QCheckBox(tr("Clear glass"))),
+      transmittance_(new QuantityBox(Dimension::share)),
       note_(new QLabel) {
   list_->setAccessibleName(tr("Materials"));
   list_->setIconSize({16, 16});
@@ -97,6 +100,10 @@ MaterialsPanel::MaterialsPanel(QWidget* parent)
   roughness_->setRange(0.0, 1.0);
   roughness_->setSteps(0.05, 1);
   roughness_->setToolTip(tr("0 % is a mirror, 100 % the widest gloss"));
+  glass_->setToolTip(tr("A sheet that light shines through; the building is computed anew"));
+  transmittance_->setRange(0.0, 1.0);
+  transmittance_->setSteps(0.01, 1);
+  transmittance_->setToolTip(tr("Of the whole sheet, seen straight on; double glazing has two"));
   note_->setWordWrap(true);
   note_->setForegroundRole(QPalette::PlaceholderText);
   auto* form = new QFormLayout(fields_);
@@ -107,6 +114,8 @@ MaterialsPanel::MaterialsPanel(QWidget* parent)
   form->addRow(tr("Colour"), colour_);
   form->addRow(tr("Specular"), specular_);
   form->addRow(tr("Roughness"), pair(roughness_slider_, roughness_));
+  form->addRow(glass_);
+  form->addRow(tr("Transmittance"), transmittance_);
   form->addRow(note_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -133,6 +142,26 @@ void MaterialsPanel::connectEdits() {
     edit(
         tr("Change gloss"), [v](const scene::Material& m) { return withSpecular(m, v); },
         kSpecularWay);
+  });
+  connect(glass_, &QCheckBox::clicked, this, [this](bool on) {
+    edit(
+        tr("Glass"),
+        [on](const scene::Material& m) {
+          scene::Material changed = m;
+          changed.glass = on ? std::optional(scene::Glass{}) : std::nullopt;
+          return changed;
+        },
+        -1);
+  });
+  connect(transmittance_, &QuantityBox::edited, this, [this](double v) {
+    edit(
+        tr("Transmittance"),
+        [v](const scene::Material& m) {
+          scene::Material changed = m;
+          if (changed.glass) changed.glass->transmittance = v;
+          return changed;
+        },
+        kGlassWay);
   });
   const auto take_roughness = [this](double v) {
     edit(
@@ -246,10 +275,15 @@ void MaterialsPanel::showChosen() {
                           static_cast<QWidget*>(colour_), static_cast<QWidget*>(specular_)}) {
     widget->setEnabled(opaque);
   }
-  note_->setText(!opaque ? tr("Glass: it lets light through and mirrors some; it has no colour of its own.")
-                 : !m->diffuse_map.empty()
-                     ? tr("Its picture %1 is multiplied by the colour.").arg(toQt(m->diffuse_map))
-                     : QString());
+  glass_->setChecked(!opaque);
+  transmittance_->setEnabled(!opaque);
+  transmittance_->setValue(opaque ? std::nullopt : std::optional(m->glass->transmittance));
+  transmittance_->setEmptyText(QStringLiteral("\u2013"));
+  note_->setText(
+      !opaque ? tr("Glass: it lets light through and mirrors some; it has no colour of its own.")
+      : !m->diffuse_map.empty()
+          ? tr("Its picture %1 is multiplied by the colour.").arg(toQt(m->diffuse_map))
+          : QString());
   note_->setVisible(!note_->text().isEmpty());
 }
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <vector>
 
+class QCheckBox;
 class QLabel;
 class QListWidget;
 class QSlider;
@@ -48,6 +49,8 @@ class MaterialsPanel : public QWidget {
   QuantityBox* specular_;
   QSlider* roughness_slider_;
   QuantityBox* roughness_;
+  QCheckBox* glass_;
+  QuantityBox* transmittance_;
   QLabel* note_;
   bool following_ = false;
 };

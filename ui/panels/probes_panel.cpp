@@ -183,7 +183,7 @@ void ProbesPanel::showShares() {
   const double sum = std::accumulate(lux.begin(), lux.end(), 0.0);
   std::vector<std::size_t> order(lux.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::erase_if(order, [&](std::size_t i) { return lux[i] <= 0.0 || i >= frame_->names.size(); });
+  std::erase_if(order, [&](std::size_t i) { return lux[i] <= 0.0 || i > frame_->names.size(); });
   std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return lux[i]; });
   whose_->setText(probe < 0 ? tr("Who lights a probe")
                             : tr("Who lights %1").arg(toQt(probes_[at].name)));
@@ -193,7 +193,8 @@ void ProbesPanel::showShares() {
   for (std::size_t k = 0; k < order.size(); ++k) {
     const int row = static_cast<int>(k);
     const double own = lux[order[k]];
-    setText(*shares_, row, 0, toQt(frame_->names[order[k]]));
+    const bool lamp = order[k] < frame_->names.size();
+    setText(*shares_, row, 0, lamp ? toQt(frame_->names[order[k]]) : tr("Light from outside"));
     setText(*shares_, row, 1, formatReading(own, Dimension::illuminance));
     setText(*shares_, row, 2, QString::number(100.0 * own / sum, 'f', 1));
   }

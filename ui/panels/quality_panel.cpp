@@ -81,6 +81,8 @@ QualityPanel::QualityPanel(QWidget* parent)
   row(transport_, tr("Gather points"), tr("Of these, where rays were traced for all the others"));
   row(transport_, tr("Memory"), {});
   row(transport_, tr("State"), {});
+  row(transport_, tr("Light from outside"),
+      tr("Found exactly at rest; mixed from smooth skies while a slider is held"));
   needed_ = section(tr("Computed"));
   skipped_ = section(tr("Not needed here"));
   auto* form = new QFormLayout(this);
@@ -172,6 +174,9 @@ void QualityPanel::showFrame(const LightFrame& frame) {
   transport_->child(2)->setText(
       1, tr("%1 MB").arg(locale.toString(static_cast<double>(op.bytes()) / 1e6, 'f', 1)));
   transport_->child(3)->setText(1, op.coarse ? tr("coarse, being refined") : tr("complete"));
+  transport_->child(4)->setText(1, !frame.complete            ? tr("being computed")
+                                   : frame.outside == nullptr ? tr("none")
+                                                              : tr("complete"));
 }
 
 }  // namespace soffit::ui

@@ -261,6 +261,8 @@ void BuildingDrawing::draw(const vec2& shift, const vec3& background) {
     drawMesh(clip_from_scene, mesh_program_);
   }
   drawLuminaires(clip_from_scene);
+  if (eye_.w != 0.0F) outside_.drawOutside(clip_from_scene, kBeyond);
+  outside_.drawPanes(clip_from_scene, eye_);
   glBindVertexArray(0);
   glDisable(GL_CULL_FACE);
 }
@@ -271,6 +273,7 @@ void BuildingDrawing::release() {
   }
   for (GlTexture& map : maps_) map.release();
   seen_.release();
+  outside_.release();
   mesh_program_.release();
   number_program_.release();
   luminaire_program_.release();

@@ -4,6 +4,7 @@
 #include "ui/viewport/display_mesh.h"
 #include "ui/viewport/gl_objects.h"
 #include "ui/viewport/luminaire_mesh.h"
+#include "ui/viewport/outside_drawing.h"
 #include "ui/viewport/seen_surfaces.h"
 
 #include <memory>
@@ -30,6 +31,8 @@ class BuildingDrawing {
   void setShift(std::vector<float> lux);
   [[nodiscard]] const std::vector<float>& shift() const { return shift_; }
   void setLuminaires(LuminaireMesh luminaires);
+  /// What lies beyond the scene, and its glass. Flat views show no surroundings.
+  [[nodiscard]] OutsideDrawing& outside() { return outside_; }
 
   /// The camera of the next draws, and where its eye is (scene-local, visibleIndices()). What
   /// cannot be seen from there is not drawn. cuts: the near plane cuts the building, not the
@@ -54,6 +57,7 @@ class BuildingDrawing {
   std::shared_ptr<const std::vector<vec3>> light_;
   std::vector<float> shift_;
   LuminaireMesh luminaires_;
+  OutsideDrawing outside_;
   glm::mat4 clip_from_scene_{1.0F};
   glm::vec4 eye_{0.0F};
   bool cuts_ = false;

@@ -46,7 +46,7 @@ void GlProgram::build(const std::string& vertex, const std::string& fragment) {
   log_.clear();
   add(GL_VERTEX_SHADER, vertex);
   add(GL_FRAGMENT_SHADER, fragment);
-  const std::array<const char*, 4> inputs{"position", "albedo", "lux", "uv"};
+  const std::array<const char*, 6> inputs{"position", "albedo", "lux", "uv", "normal", "slab"};
   for (GLuint i = 0; i < inputs.size(); ++i) glBindAttribLocation(id_, i, inputs[i]);
   glBindFragDataLocation(id_, 0, "color");
   glBindFragDataLocation(id_, 1, "more");

@@ -95,6 +95,10 @@ void PieceDrawing::take(const Still& still) {
     lightVertices(*still.mesh, still.frame->lux, *lux);
     building_.setLight(std::move(lux));
   }
+  if (mesh_ != still.mesh) {
+    building_.outside().setPanes(paneCorners(*still.scene->mesh, still.scene->materials));
+  }
+  building_.outside().setEnvironment(still.scene->environment);
   mesh_ = still.mesh;
   frame_ = still.frame;
   building_.setShift(withoutSpecks(*still.mesh, *building_.light(), still.look.levels));

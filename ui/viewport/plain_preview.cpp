@@ -22,6 +22,7 @@ PlainPreview makePlainPreview(const geometry::Mesh& mesh,
     const float length = glm::length(cross);
     if (length <= 0.0F) continue;
     const std::size_t material = mesh.material_of.empty() ? 0 : mesh.material_of[i];
+    if (material < materials.size() && materials[material].glass) continue;
     const vec3 albedo =
         material < materials.size() ? vec3(materials[material].diffuse) : vec3(0.5F);
     for (const bool front : {true, false}) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "ui/viewport/scene_view.h"
 
+#include "core/scene/equality.h"
 #include "ui/document/text.h"
 #include "ui/viewport/picture_pass.h"
 #include "ui/viewport/plain_preview.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace soffit::ui {
 namespace {
@@ -58,7 +60,8 @@ Box SceneView::bounds() const {
 
 void SceneView::setScene(std::shared_ptr<const scene::Scene> scene) {
   const bool same_building = scene_ != nullptr && scene != nullptr && scene_->mesh == scene->mesh;
-  scene_ = std::move(scene);
+  const auto before = std::exchange(scene_, std::move(scene));
+  if (showOutside(before.get()) && same_building) restart();
   if (same_building) return;
   frame_.reset();
   lit_from_frame_ = false;
@@ -71,6 +74,24 @@ void SceneView::setScene(std::shared_ptr<const scene::Scene> scene) {
     pass().building.setLight(std::make_shared<const std::vector<vec3>>(std::move(preview.lux)));
   }
   restart();
+}
+
+/// Whether anything of it is another now.
+bool SceneView::showOutside(const scene::Scene* before) {
+  static const scene::Scene kNone;
+  const scene::Scene& was = before == nullptr ? kNone : *before;
+  const scene::Scene& now = scene_ == nullptr ? kNone : *scene_;
+  OutsideDrawing& outside = pass().building.outside();
+  const bool same_light = was.environment.has_value() == now.environment.has_value() &&
+                          (!now.environment || scene::same(*was.environment, *now.environment));
+  if (!same_light) outside.setEnvironment(now.environment);
+  const bool same_glass =
+      was.mesh == now.mesh && scene::sameReflectances(was.materials, now.materials);
+  if (!same_glass) {
+    outside.setPanes(now.mesh == nullptr ? std::vector<PaneCorner>{}
+                                         : paneCorners(*now.mesh, now.materials));
+  }
+  return !same_light || !same_glass;
 }
 
 void SceneView::setFrame(LightFramePtr frame) {

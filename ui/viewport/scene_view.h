@@ -123,6 +123,7 @@ class SceneView : public VtkView {
 
  private:
   void onMeshFinished();
+  bool showOutside(const scene::Scene* before);
   void showLight();
   void lightBuilding(const LightFrame& frame);
   void smoothLines();

@@ -65,6 +65,7 @@ GeometryEntry readGeometryEntry(const Json& value, const std::string& path, Repo
 /// The member "up" of an object: 'y' or 'z', nothing when it is absent.
 std::optional<char> readUp(ObjectReader& reader, Report& report);
 /// A probe's picture is still to be loaded.
+Json toJson(const scene::Environment& environment);
 scene::Environment readEnvironment(const Json& value, const std::string& path, Report& report);
 
 Json toJson(const dvec3& v);

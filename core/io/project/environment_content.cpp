@@ -74,7 +74,43 @@ scene::PatchLight readPatches(const Json& value, ObjectReader& outer, Report& re
   return light;
 }
 
+Json fieldsOf(const scene::Sky& sky) {
+  Json inner = Json::object(
+      {{"cie", sky.cie}, {"sun", Json::array({sky.sun_azimuth_deg, sky.sun_altitude_deg})}});
+  if (sky.direct_normal_illuminance > 0.0) {
+    inner["direct_normal_illuminance"] = sky.direct_normal_illuminance;
+  }
+  return Json::object({{"sky", inner},
+                       {"horizontal_illuminance", sky.horizontal_illuminance},
+                       {"ground_reflectance", sky.ground_reflectance}});
+}
+
+Json fieldsOf(const scene::Probe& probe) {
+  const char* layout = probe.layout == scene::ProbeLayout::angular ? "angular"
+                       : probe.layout == scene::ProbeLayout::cross ? "cross"
+                                                                   : "latlong";
+  return Json::object({{"image", probe.file},
+                       {"layout", layout},
+                       {"rotation", probe.rotation_deg},
+                       {"scale", probe.scale}});
+}
+
+Json fieldsOf(const scene::PatchLight& light) {
+  return Json::object(
+      {{"analytic", Json::object({{"overhead_gain", light.overhead_gain},
+                                  {"overhead_threshold", light.overhead_threshold},
+                                  {"side_gain", light.side_gain},
+                                  {"side_threshold", light.side_threshold},
+                                  {"side_azimuth", degrees(light.side_azimuth_rad)}})},
+       {"rotation", light.rotation_deg},
+       {"scale", light.scale}});
+}
+
 }  // namespace
+
+Json toJson(const scene::Environment& environment) {
+  return std::visit([](const auto& light) { return fieldsOf(light); }, environment.light);
+}
 
 scene::Environment readEnvironment(const Json& value, const std::string& path, Report& report) {
   scene::Environment environment;

@@ -63,10 +63,10 @@ NamedFiles filesOf(const Project& project) {
       named.pictures.insert({m.diffuse_map, m.normal_map});
     }
   }
-  if (project.document == nullptr) return named;
-  const Json* environment = project.document->root.find("environment");
-  const Json* image = environment == nullptr ? nullptr : environment->find("image");
-  if (image != nullptr && image->asText() != nullptr) named.pictures.insert(*image->asText());
+  if (project.scene.environment) {
+    const auto* probe = std::get_if<scene::Probe>(&project.scene.environment->light);
+    if (probe != nullptr) named.pictures.insert(probe->file);
+  }
   return named;
 }
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace soffit::io {
@@ -174,6 +175,36 @@ void syncView(const scene::Scene& scene, Json& root) {
   if (!(old_quality == toJson(scene.quality))) root["quality"] = toJson(scene.quality);
 }
 
+void syncEnvironment(const scene::Scene& scene, Json& root) {
+  if (!scene.environment) {
+    root.erase("environment");
+    return;
+  }
+  const Json fields = toJson(*scene.environment);
+  Json& target = root["environment"];
+  Report ignored("");
+  const Json old =
+      target.asObject() == nullptr ? Json::object() : toJson(readEnvironment(target, "", ignored));
+  if (old == fields) return;
+  const bool same_kind =
+      std::ranges::any_of(std::array{"sky", "image", "analytic"}, [&](const char* kind) {
+        return target.find(kind) != nullptr && fields.find(kind) != nullptr;
+      });
+  if (!same_kind) {
+    target = fields;
+    return;
+  }
+  for (const JsonMember& field : *fields.asObject()) {
+    const Json* before = old.find(field.key);
+    if (before != nullptr && *before == field.value) continue;
+    if (field.value.asObject() != nullptr && target.find(field.key) != nullptr) {
+      updateFields(target[field.key], *before, field.value);
+    } else {
+      target[field.key] = field.value;
+    }
+  }
+}
+
 }  // namespace
 
 Result<std::string> formatProject(const Project& project) {
@@ -199,7 +230,7 @@ Result<std::string> formatProject(const Project& project) {
   syncProbes(project.probes, root);
   syncPlaces(project.scene, root);
   syncView(project.scene, root);
-  if (!project.scene.environment) root.erase("environment");
+  syncEnvironment(project.scene, root);
   return formatJson(root);
 }
 

@@ -117,6 +117,35 @@ TEST(Environment, ABrightSpotOfAPictureBecomesADisc) {
   EXPECT_GT(e.table().density(wanted), 10.0 / (4.0 * kPi)) << "and it is sampled";
 }
 
+TEST(Environment, APictureThatIsTakenOverTurnsAndScalesAsANewOne) {
+  auto image = std::make_shared<scene::Image>();
+  image->width = 128;
+  image->height = 64;
+  for (int i = 0; i < 3 * 128 * 64; ++i) {
+    image->pixels.push_back(i >= 3 * 1000 && i < 3 * 1002 ? 5e4F : 1.0F + 0.01F * float(i % 97));
+  }
+  const auto at = [&](double rotation, double scale, const Environment* like) {
+    return Environment(
+        {"", scene::Probe{"p", scene::ProbeLayout::lat_long, rotation, scale, image}}, like);
+  };
+  const Environment first = at(10.0, 1.0, nullptr);
+  const Environment again = at(75.0, 20.0, &first);
+  const Environment wanted = at(75.0, 20.0, nullptr);
+  ASSERT_EQ(again.spots().size(), wanted.spots().size());
+  ASSERT_EQ(again.spots().size(), 1U);
+  EXPECT_LT(glm::length(again.spots()[0].direction - wanted.spots()[0].direction), 1e-12);
+  const double e = wanted.spots()[0].normal_illuminance.y;
+  EXPECT_NEAR(again.spots()[0].normal_illuminance.y, e, 1e-9 * e);
+  for (std::size_t i = 0; i < SkyTable::kCells; i += 37) {
+    const dvec3 d = SkyTable::direction(i, {0.3, 0.6});
+    EXPECT_LT(glm::length(again.smoothRadiance(d) - wanted.smoothRadiance(d)), 1e-6);
+    EXPECT_LT(glm::length(again.radiance(d) - wanted.radiance(d)), 1e-6);
+  }
+  EXPECT_FALSE(again.dark());
+  EXPECT_TRUE(at(0.0, 0.0, &first).dark());
+  EXPECT_FALSE(at(0.0, 1.0, &wanted).dark());
+}
+
 TEST(Environment, TheSunsDiscGivesItsNormalIlluminance) {
   const Environment e(skyOf({.cie = 12,
                              .sun_azimuth_deg = 90.0,

@@ -86,7 +86,8 @@ TEST(SensorReadings, WithoutASolverOrCancelledTheySaySo) {
   ASSERT_TRUE(lighting.setLuminaires(threeLights()).ok());
   std::stop_source stop;
   stop.request_stop();
-  const auto cancelled = readings.read(lighting.emitters(), Job{nullptr, stop.get_token()});
+  const auto cancelled =
+      readings.read(lighting.emitters(), nullptr, Job{nullptr, stop.get_token()});
   ASSERT_FALSE(cancelled.ok());
   EXPECT_EQ(cancelled.error().what, "cancelled");
 }

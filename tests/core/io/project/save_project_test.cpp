@@ -3,6 +3,7 @@
 #include "core/io/project/project.h"
 #include "core/scene/diff.h"
 #include "core/scene/edits.h"
+#include "core/scene/equality.h"
 #include "tests/core/io/project/example_project.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +58,8 @@ TEST(SaveProject, WritesOnlyWhatChanged) {
 TEST(SaveProject, DoublesAreLossless) {
   Saved folder;
   folder.project.scene.luminaires[0].position = {0.1 + 0.2, 1.0 / 3.0, 1e-17};
-  folder.project.scene.cameras[0].target = {std::nextafter(1.0, 2.0), 5e-324, std::nextafter(-1e7, 0.0)};
+  folder.project.scene.cameras[0].target = {std::nextafter(1.0, 2.0), 5e-324,
+                                            std::nextafter(-1e7, 0.0)};
   folder.project.scene.view.exposure = 0.1F;
   folder.roundTrip();  // compares without tolerance
 }
@@ -89,6 +91,55 @@ TEST(SaveProject, EverySectionSurvivesAnEdit) {
   difference.geometry = false;
   EXPECT_FALSE(difference.any());
   EXPECT_EQ(again->geometry[0].rotate_deg, dvec3(0, 0, 90));
+}
+
+TEST(SaveProject, SurroundingsAreWrittenOfEveryKind) {
+  Saved folder;
+  folder.write("probe.hdr", std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n") +
+                                std::string("\x80\x80\x80\x81\x80\x80\x80\x81", 8));
+  auto& environment = folder.project.scene.environment;
+  environment = scene::Environment{"", scene::Sky{.cie = 12,
+                                                  .sun_azimuth_deg = 200.5,
+                                                  .sun_altitude_deg = 33.0,
+                                                  .horizontal_illuminance = 12000.0,
+                                                  .direct_normal_illuminance = 50000.0,
+                                                  .ground_reflectance = 0.25}};
+  const auto again = [&] {
+    EXPECT_TRUE(saveProject(folder.project, folder.project.path));
+    const auto loaded = loadProject(folder.project.path);
+    EXPECT_TRUE(loaded) << loaded.error().message();
+    return loaded->scene.environment;
+  };
+  const auto sky = again();
+  ASSERT_TRUE(sky);
+  EXPECT_TRUE(scene::same(*sky, *environment));
+  scene::Probe probe{"probe.hdr", scene::ProbeLayout::angular, 30.0, 2.0, nullptr};
+  environment = scene::Environment{"", probe};
+  const auto picture = again();
+  ASSERT_TRUE(picture);
+  probe.image = std::get<scene::Probe>(picture->light).image;
+  EXPECT_NE(probe.image, nullptr);
+  EXPECT_TRUE(scene::same(*picture, scene::Environment{"", probe}));
+  environment = scene::Environment{"", scene::PatchLight{.side_gain = 3.0, .rotation_deg = 15.0}};
+  const auto patches = again();
+  ASSERT_TRUE(patches);
+  EXPECT_NEAR(std::get<scene::PatchLight>(patches->light).side_azimuth_rad, 2.5, 1e-15);
+  environment.reset();
+  EXPECT_FALSE(again());
+}
+
+TEST(SaveProject, KeysOfASkyThatNobodyKnowsStay) {
+  std::string text = kFullProject;
+  text.insert(text.rfind('}'),
+              R"(, "environment": { "sky": { "cie": 1, "station": "roof" }, "note": "by day",
+                                    "horizontal_illuminance": 10000 })");
+  Saved folder(text);
+  std::get<scene::Sky>(folder.project.scene.environment->light).cie = 3;
+  EXPECT_TRUE(saveProject(folder.project, folder.project.path));
+  const std::string saved = folder.read("p.soffit");
+  EXPECT_NE(saved.find("roof"), std::string::npos);
+  EXPECT_NE(saved.find("by day"), std::string::npos);
+  EXPECT_NE(saved.find("\"cie\": 3"), std::string::npos);
 }
 
 TEST(SaveProject, UnknownKeysSurviveEdits) {
