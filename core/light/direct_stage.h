@@ -43,7 +43,4 @@ void directIlluminance(const PreparedLight& light, const Receivers& receivers,
                        const Blockers& blockers, const DirectOptions& options, std::span<float> lux,
                        std::span<std::uint8_t> lit, DirectCounts* counts = nullptr);
 
-/// The part of a convex blocker on the side n.x > d of a plane; count 0 when nothing is left.
-MaskBlocker clipToFront(const MaskBlocker& blocker, const vec3& n, float d);
-
 }  // namespace soffit::light

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/light/direct_stage.h"
 
+#include "core/light/clip_blocker.h"
+
 #include "core/light/emitter_sampling.h"
 #include "core/math/rng.h"
 #include "core/math/sampling.h"
