@@ -1217,6 +1217,57 @@
     </message>
 </context>
 <context>
+    <name>soffit::ui::FinishFields</name>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Schlüsselwert</translation>
+    </message>
+    <message>
+        <source>What the average of the picture becomes; 0.18 is mid grey</source>
+        <translation>Was aus dem Mittel des Bildes wird; 0,18 ist mittleres Grau</translation>
+    </message>
+    <message>
+        <source>White point</source>
+        <translation>Weißpunkt</translation>
+    </message>
+    <message>
+        <source>The smallest brightness that becomes white, where the average is the key</source>
+        <translation>Die kleinste Helligkeit, die weiß wird, wenn das Mittel der Schlüsselwert ist</translation>
+    </message>
+    <message>
+        <source>Bloom above</source>
+        <translation>Überstrahlung ab</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Spreads light about what is brighter, in pictures alone</source>
+        <translation>Verteilt Licht um das, was heller ist; nur in Bildern</translation>
+    </message>
+    <message>
+        <source>Luminance above which light is spread</source>
+        <translation>Leuchtdichte, ab der Licht verteilt wird</translation>
+    </message>
+    <message>
+        <source>Share of the light that is spread</source>
+        <translation>Anteil des Lichts, der verteilt wird</translation>
+    </message>
+    <message>
+        <source>Key of the picture</source>
+        <translation>Schlüsselwert des Bildes</translation>
+    </message>
+    <message>
+        <source>Bloom</source>
+        <translation>Überstrahlung</translation>
+    </message>
+</context>
+<context>
     <name>soffit::ui::GroupStrip</name>
     <message>
         <source>On</source>

@@ -200,7 +200,7 @@ LightFramePtr RelightWorker::heldOutside(const LightRequest& request, const std:
 void RelightWorker::serveWithoutOutside(const LightRequest& request, const std::stop_token& stop) {
   if (columns_.lightingOf(request.layout) != nullptr) return;
   const auto start = Clock::now();
-  auto answer = columns_.light(request.layout, request.luminaires, std::nullopt, Job{nullptr, stop},
+  auto answer = columns_.light(request.layout, request.luminaires, {}, Job{nullptr, stop},
                                LightColumns::Outside::as_it_was);
   if (!answer) return;  // told by those who come next
   LightFrame frame = frameOf(request, std::move(*answer), start);
