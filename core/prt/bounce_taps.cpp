@@ -6,11 +6,12 @@
 namespace soffit::prt {
 
 const std::vector<Tap>& BounceTaps::find(const Receivers& to, const VisibilityFlags& flags,
-                                         std::size_t i, bool merged) {
+                                         std::size_t i, List list) {
   which_.clear();
   cosines_.clear();
   rays_of_.clear();
   taps_.clear();
+  choice_ = 0.5F;
   const vec3 origin = geometry::offsetOrigin(to.positions[i], to.facing[i]);
   double sum = 0.0;
   for (std::uint32_t d = 0; d < directions_.size(); ++d) {
@@ -36,12 +37,30 @@ const std::vector<Tap>& BounceTaps::find(const Receivers& to, const VisibilityFl
     while (next != dimmed.end() && next->direction < which_[k]) ++next;
     const bool dims = next != dimmed.end() && next->direction == which_[k];
     const float weight = cosines_[k] / static_cast<float>(sum) * (dims ? next->share : 1.0F);
+    add(around, count, weight, list);
+  }
+  if (list == List::merged) merge();
+  return taps_;
+}
+
+void BounceTaps::add(const ReceiverSet::Around& around, std::size_t count, float weight,
+                     List list) {
+  if (list != List::one_per_ray) {
     for (std::size_t a = 0; a < count; ++a) {
       taps_.push_back({around[a].receiver, weight * around[a].weight});
     }
+    return;
   }
-  if (merged) merge();
-  return taps_;
+  // Multiples of the golden ratio: evenly spread over any run of rays.
+  choice_ += 0.61803399F;
+  if (choice_ >= 1.0F) choice_ -= 1.0F;
+  float passed = 0.0F;
+  for (std::size_t a = 0; a < count; ++a) {
+    passed += around[a].weight;
+    if (choice_ >= passed && a + 1 < count) continue;
+    taps_.push_back({around[a].receiver, weight});
+    return;
+  }
 }
 
 void BounceTaps::merge() {

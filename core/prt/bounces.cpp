@@ -82,12 +82,13 @@ class Passes {
     TransferRows received(r.size(), sent.bands(), sent.channels());
     std::atomic<std::uint64_t> rays{0};
     // Merged in the first pass whether there is room or not: no sum depends on the threads.
-    const bool first = std::exchange(first_, false);
+    const auto list =
+        std::exchange(first_, false) ? BounceTaps::List::merged : BounceTaps::List::all;
     parallelFor(r.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       BounceTaps finder(surfaces_, set_, directions_);
       for (std::size_t i = begin; i < end && !job.cancelled(); ++i) {
         if (!r.standsForItself(i)) continue;
-        const std::vector<Tap>& taps = keeping_ ? kept_[i] : finder.find(r, flags_, i, first);
+        const std::vector<Tap>& taps = keeping_ ? kept_[i] : finder.find(r, flags_, i, list);
         addRows(sent.data(), sent.stride(), taps, received.row(i).data());
         if (!keeping_ && !full_) keep(i, taps);
       }
@@ -104,7 +105,7 @@ class Passes {
 
  private:
   void keep(std::size_t i, const std::vector<Tap>& taps) {
-    const std::uint64_t bytes = taps.size() * sizeof(Tap) + sizeof(kept_[i]);
+    const std::uint64_t bytes = taps.size() * sizeof(Tap) + sizeof(std::vector<Tap>);
     if (kept_bytes_.fetch_add(bytes) + bytes > room_) {
       full_ = true;
       return;
@@ -178,7 +179,7 @@ Result<GatheredBounce> gatherBounce(const Surfaces& surfaces, const ReceiverSet&
     BounceTaps finder(surfaces, from, directions);
     for (std::size_t i = begin; i < end && !job.cancelled(); ++i) {
       if (!to.standsForItself(i)) continue;
-      addRows(sent.data(), sent.stride(), finder.find(to, flags, i, false),
+      addRows(sent.data(), sent.stride(), finder.find(to, flags, i, BounceTaps::List::one_per_ray),
               out.transfer.row(i).data());
     }
     rays += finder.rays();

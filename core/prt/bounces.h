@@ -64,8 +64,9 @@ struct GatheredBounce {
 };
 
 /// One bounce only, from receivers that are solved already to others (a fine texture's texels from
-/// coarse ones): direct + sum of rho(y) solved(y). Error: that of interpolating `solved` between
-/// its receivers, softened by the reflection. directions of both must have equal bands.
+/// coarse ones): direct + sum of rho(y) solved(y). A ray takes one of the receivers around its hit,
+/// by weight: hundreds of rays interpolate well enough. Error: that of interpolating `solved`
+/// between its receivers, softened by the reflection. Bands must be equal.
 Result<GatheredBounce> gatherBounce(const Surfaces& surfaces, const ReceiverSet& from,
                                     const TransferRows& solved, const Receivers& to,
                                     const Directions& directions, const VisibilityFlags& flags,
