@@ -41,9 +41,9 @@ class TexelPyramid {
 /// A cube map of `side` blurred by the reflected GGX lobe of `alpha` about each texel's direction:
 /// for every texel of the result a list of texels of a pyramid with weights that sum to 1.
 ///
-/// The lobe, D(half) / 4, is taken at texel centres times exact solid angles, near the axis of the
-/// finest texels, farther out of coarser ones that are no wider than a third of the lobe's scale
-/// there. Error against the sum over all finest texels: below 1 % of the map's RMS variation.
+/// The lobe, D(half) / 4, is taken at texel centres times exact solid angles; a coarser texel
+/// stands for its finer ones where its share of the lobe is too small for their differences to
+/// matter. Error against the sum over all finest texels: below 1 % of the map's RMS variation.
 class PrefilterLevel {
  public:
   PrefilterLevel(const TexelPyramid& pyramid, int side, double alpha);
