@@ -44,8 +44,9 @@ class DaylightPanelTest : public QObject {
   }
 
   void the16SkiesHaveNames() {
-    QCOMPARE(skyNames().size(), 16);
-    QCOMPARE(QSet<QString>(skyNames().begin(), skyNames().end()).size(), 16);
+    const QStringList names = skyNames();
+    QCOMPARE(names.size(), 16);
+    QCOMPARE(QSet<QString>(names.begin(), names.end()).size(), 16);
     Document document(windowProject());
     DaylightPanel panel;
     panel.setDocument(&document);

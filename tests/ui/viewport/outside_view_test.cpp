@@ -116,9 +116,15 @@ class OutsideViewTest : public QObject {
     ViewCamera flat = view_->viewCamera();
     flat.parallel_height = 4.0;
     flat.position = {2.0, 30.0, 10.0};
-    view_->setViewCamera(flat);
-    (void)view_->picture({kWide, kHigh}, false, 1);
-    for (const vec3& pixel : view_->readLinear()) QVERIFY(pixel.y < 5000.0F);
+    Shot shot;
+    shot.pixels = {kWide, kHigh};
+    shot.linear = true;
+    shot.samples = 1;
+    shot.camera = flat;
+    const Picture picture = view_->take(shot);
+    QCOMPARE(picture.linear.size(), std::size_t{kWide * kHigh});
+    // The lamp has 1770 cd/m^2, the sky more.
+    for (const vec3& pixel : picture.linear) QVERIFY(pixel.y < 1800.0F);
   }
 
  private:
