@@ -229,7 +229,7 @@ LightFramePtr RelightWorker::lightOf(const LightRequest& request, const std::sto
   // While the building is precomputed, that tells how far it is.
   const bool lacks = columns_.lacksOutside(request.layout);
   // A drag does not wait for it: what shone in before goes on shining until the hand rests.
-  const bool passing = lacks && (request.in_hand || !request.stops_older);
+  const bool passing = lacks && (!request.in_hand.empty() || !request.stops_older);
   const bool tells = lacks && !passing && !columns_.solver()->operators().coarse;
   {
     const std::scoped_lock lock(mutex_);
