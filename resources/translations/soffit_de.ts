@@ -1101,7 +1101,7 @@
     </message>
     <message>
         <source>Reading the picture…</source>
-        <translation>Das Bild wird gelesen …</translation>
+        <translation>Das Bild wird gelesen…</translation>
     </message>
     <message>
         <source>Nothing shines in. Windows need an opening or a material that is glass (see Materials).</source>
