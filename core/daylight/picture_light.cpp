@@ -121,6 +121,7 @@ PictureLight PictureLight::scaled(double scale) const {
   out.spot_threshold_ *= factor;
   for (dvec3& cell : out.cells_) cell *= factor;
   for (Spot& spot : out.spots_) spot.normal_illuminance *= factor;
+  if (!(scale > 0.0)) out.spots_.clear();
   return out;
 }
 

@@ -158,6 +158,18 @@
         <source>light of smooth skies</source>
         <translation>Licht glatter Himmel</translation>
     </message>
+    <message>
+        <source>tracing paths</source>
+        <translation>Pfade werden verfolgt</translation>
+    </message>
+    <message>
+        <source>last bounce</source>
+        <translation>letzte Reflexion</translation>
+    </message>
+    <message>
+        <source>making receivers</source>
+        <translation>Empfangspunkte werden gesetzt</translation>
+    </message>
 </context>
 <context>
     <name>DragSession</name>
