@@ -160,7 +160,7 @@
     </message>
     <message>
         <source>tracing paths</source>
-        <translation>Pfade werden verfolgt</translation>
+        <translation>Pfade verfolgen</translation>
     </message>
     <message>
         <source>last bounce</source>
@@ -168,7 +168,7 @@
     </message>
     <message>
         <source>making receivers</source>
-        <translation>Empfangspunkte werden gesetzt</translation>
+        <translation>Empfangspunkte setzen</translation>
     </message>
 </context>
 <context>
