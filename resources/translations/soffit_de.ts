@@ -1255,10 +1255,6 @@
         <translation>Überstrahlung ab</translation>
     </message>
     <message>
-        <source>White</source>
-        <translation>Weiß</translation>
-    </message>
-    <message>
         <source>Spreads light about what is brighter, in pictures alone</source>
         <translation>Verteilt Licht um das, was heller ist; nur in Bildern</translation>
     </message>
@@ -1277,6 +1273,10 @@
     <message>
         <source>Bloom</source>
         <translation>Überstrahlung</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
     </message>
 </context>
 <context>

@@ -7,10 +7,9 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
+
+#include <initializer_list>
 
 namespace soffit::ui {
 namespace {
@@ -35,22 +34,15 @@ QDoubleSpinBox* toneBox(double most, double step, const QString& name, const QSt
 
 FinishFields::FinishFields(QWidget* parent)
     : QWidget(parent),
-      tone_(new QWidget),
+      form_(new QFormLayout(this)),
       key_(toneBox(100.0, 0.02, tr("Key"),
                    tr("What the average of the picture becomes; 0.18 is mid grey"))),
       white_(
           toneBox(1e6, 0.5, tr("White point"),
                   tr("The smallest brightness that becomes white, where the average is the key"))),
       bloom_(new QCheckBox(tr("Bloom above"))),
-      bloom_row_(new QWidget),
       threshold_(new QuantityBox(Dimension::luminance)),
       strength_(new QuantityBox(Dimension::share)) {
-  auto* tone = new QHBoxLayout(tone_);
-  tone->setContentsMargins(0, 0, 0, 0);
-  tone->addWidget(new QLabel(tr("Key")));
-  tone->addWidget(key_, 1);
-  tone->addWidget(new QLabel(tr("White")));
-  tone->addWidget(white_, 1);
   bloom_->setToolTip(tr("Spreads light about what is brighter, in pictures alone"));
   threshold_->setRange(1.0, 1e9);
   threshold_->setSteps(100.0, 0);
@@ -59,16 +51,15 @@ FinishFields::FinishFields(QWidget* parent)
   strength_->setSteps(0.05, 2);
   strength_->setAccessibleName(tr("Share of the light that is spread"));
   strength_->setToolTip(strength_->accessibleName());
-  auto* bloom = new QHBoxLayout(bloom_row_);
-  bloom->setContentsMargins(0, 0, 0, 0);
-  bloom->addWidget(bloom_);
-  bloom->addWidget(threshold_, 1);
-  bloom->addWidget(strength_, 1);
-  auto* rows = new QVBoxLayout(this);
-  rows->setContentsMargins(0, 0, 0, 0);
-  rows->setSpacing(6);
-  rows->addWidget(tone_);
-  rows->addWidget(bloom_row_);
+  for (QWidget* box : std::initializer_list<QWidget*>{key_, white_, threshold_, strength_}) {
+    box->setMinimumWidth(60);
+  }
+  form_->setContentsMargins(0, 0, 0, 0);
+  form_->setVerticalSpacing(6);
+  form_->addRow(tr("Key"), key_);
+  form_->addRow(tr("White point"), white_);
+  form_->addRow(bloom_, threshold_);
+  form_->addRow(tr("Strength"), strength_);
 
   connect(key_, &QDoubleSpinBox::valueChanged, this, [this](double v) {
     Q_EMIT edited(
@@ -96,14 +87,16 @@ FinishFields::FinishFields(QWidget* parent)
 void FinishFields::showView(const scene::View& view) {
   const QSignalBlocker quiet_key(key_);
   const QSignalBlocker quiet_white(white_);
-  tone_->setVisible(view.ocio_view == color::kReinhard2002View);
+  const bool tone = view.ocio_view == color::kReinhard2002View;
+  form_->setRowVisible(key_, tone);
+  form_->setRowVisible(white_, tone);
   key_->setValue(view.tone_key);
   white_->setValue(view.tone_white);
   const bool blooms = view.bloom_threshold > 0.0;
   bloom_->setChecked(blooms);
   bloom_->setText(blooms ? tr("Bloom above") : tr("Bloom"));
   threshold_->setVisible(blooms);
-  strength_->setVisible(blooms);
+  form_->setRowVisible(strength_, blooms);
   if (blooms) threshold_->setValue(view.bloom_threshold);
   strength_->setValue(view.bloom_strength);
 }

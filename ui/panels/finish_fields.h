@@ -9,6 +9,7 @@
 
 class QCheckBox;
 class QDoubleSpinBox;
+class QFormLayout;
 
 namespace soffit::ui {
 
@@ -30,11 +31,10 @@ class FinishFields : public QWidget {
   void edited(const QString& text, const soffit::ui::FinishFields::Change& change, int merge_key);
 
  private:
-  QWidget* tone_;
+  QFormLayout* form_;
   QDoubleSpinBox* key_;
   QDoubleSpinBox* white_;
   QCheckBox* bloom_;
-  QWidget* bloom_row_;
   QuantityBox* threshold_;
   QuantityBox* strength_;
 };

@@ -51,6 +51,9 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
   automatic->setToolTip(tr("Expose for what is seen now"));
   view_ = new QComboBox;
   addViews(*view_);
+  // A long name does not widen the dock.
+  view_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  view_->setMinimumContentsLength(8);
   view_->setToolTip(tr("OpenColorIO view transform, the same in exported pictures"));
   makeLightFields();
 
