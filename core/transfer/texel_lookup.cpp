@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace soffit::transfer {
 
@@ -19,18 +20,23 @@ std::uint32_t Texels::at(std::uint32_t mesh_triangle, bool front, const vec3& po
   const int j = std::clamp(static_cast<int>(glm::dot(d, chart.b) / grid.cell.y), 0, grid.nv - 1);
   const auto index = static_cast<std::uint32_t>(j * grid.nu + i);
   if (cells[base + index] != kNoTexel) return cells[base + index];
-  // Rounding put the point over a chart's slanted edge: the nearest cell with a texel.
-  for (int reach = 1; reach <= 2; ++reach) {
-    for (int dj = -reach; dj <= reach; ++dj) {
-      for (int di = -reach; di <= reach; ++di) {
-        if (i + di < 0 || j + dj < 0 || i + di >= grid.nu || j + dj >= grid.nv) continue;
-        const std::uint32_t slot =
-            cells[base + static_cast<std::uint32_t>((j + dj) * grid.nu + i + di)];
-        if (slot != kNoTexel) return slot;
-      }
+  // Rounding put the point over a chart's slanted edge, or it lies under what covers the cell: the
+  // nearest cell with a texel. Any other may be in the light where this one is in a shadow.
+  const vec2 place(glm::dot(d, chart.t) / grid.cell.x, glm::dot(d, chart.b) / grid.cell.y);
+  std::uint32_t nearest = kNoTexel;
+  float least = std::numeric_limits<float>::infinity();
+  for (int y = std::max(j - 2, 0); y <= std::min(j + 2, grid.nv - 1); ++y) {
+    for (int x = std::max(i - 2, 0); x <= std::min(i + 2, grid.nu - 1); ++x) {
+      const std::uint32_t slot = cells[base + static_cast<std::uint32_t>(y * grid.nu + x)];
+      if (slot == kNoTexel) continue;
+      const vec2 off =
+          (vec2(static_cast<float>(x), static_cast<float>(y)) + 0.5F - place) * grid.cell;
+      if (glm::dot(off, off) >= least) continue;
+      least = glm::dot(off, off);
+      nearest = slot;
     }
   }
-  return kNoTexel;
+  return nearest;
 }
 
 /// Collects the texels that a point's light is interpolated from.
