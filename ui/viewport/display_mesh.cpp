@@ -174,9 +174,14 @@ class Builder {
       p.index.push_back(addPlanarVertex(p, v, p.positions.back()));
     }
     for (const uvec3& t : cut.triangles) {
-      const vec3 center = (p.positions[t.x] + p.positions[t.y] + p.positions[t.z]) / 3.0F;
+      vec3 center = (p.positions[t.x] + p.positions[t.y] + p.positions[t.z]) / 3.0F;
       const bool alike = p.parts[t.x] == p.parts[t.y] && p.parts[t.y] == p.parts[t.z];
-      const std::uint32_t part = alike ? p.parts[t.x] : partUnder(c, side, center);
+      std::uint32_t part = alike ? p.parts[t.x] : partUnder(c, side, center);
+      // What is seen of a triangle that mostly lies under matter is lit as its corner outside is.
+      for (int k = 0; k < 3 && part == transfer::kNoTexel; ++k) {
+        part = p.parts[t[k]];
+        if (part != transfer::kNoTexel) center = p.positions[t[k]];
+      }
       addTriangle({vertexFor(p, t.x, center, part), vertexFor(p, t.y, center, part),
                    vertexFor(p, t.z, center, part)},
                   front, texels_.charts.charts[c].material);
