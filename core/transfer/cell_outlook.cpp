@@ -10,6 +10,10 @@
 namespace soffit::transfer {
 namespace {
 
+/// Of CellOutlook::kProbes rays: more that meet the inside of solids tell matter. At a foot, or a
+/// millimetre under an edge, some do.
+constexpr int kMostInside = 3;
+
 /// Finds what covers cells.
 class Places {
  public:
@@ -122,7 +126,7 @@ std::vector<CellOutlook> lookFromCells(const geometry::Mesh& mesh,
       cell.distance[k] = static_cast<std::uint8_t>(std::lround(255.0F * share));
       if (met && meetsInside(mesh, sides, hits[k].triangle, directions[k])) ++inside;
     }
-    return inside > 1;
+    return inside > kMostInside;
   };
   parallelFor(out.size(), 256, [&](std::size_t begin, std::size_t end) {
     std::vector<geometry::Ray> rays;
