@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/prt/material_maps.h"
 
+#include "core/geometry/texture_tangents.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,26 +33,13 @@ vec2 uvAt(const geometry::Mesh& mesh, const MapPlace& p) {
   return (1.0F - p.u - p.v) * mesh.uvs[t.x] + p.u * mesh.uvs[t.y] + p.v * mesh.uvs[t.z];
 }
 
-/// Metres along the surface per unit of u and of v; false where the uv say nothing.
-bool tangents(const geometry::Mesh& m, const uvec3& t, vec3& along_u, vec3& along_v) {
-  const vec3 e1 = m.positions[t.y] - m.positions[t.x];
-  const vec3 e2 = m.positions[t.z] - m.positions[t.x];
-  const vec2 d1 = m.uvs[t.y] - m.uvs[t.x];
-  const vec2 d2 = m.uvs[t.z] - m.uvs[t.x];
-  const float det = d1.x * d2.y - d1.y * d2.x;
-  if (!(std::abs(det) > 0.0F) || !std::isfinite(det)) return false;
-  along_u = (d2.y * e1 - d1.y * e2) / det;
-  along_v = (d1.x * e2 - d2.x * e1) / det;
-  return glm::length(along_u) > 0.0F && glm::length(along_v) > 0.0F;
-}
-
 /// Mean of a map over the place; `flat` where there are no texture coordinates.
 vec3 lookAt(const Surfaces& s, const scene::Image& image, const MapPlace& p, const vec3& flat) {
   const geometry::Mesh& mesh = *s.mesh;
   if (mesh.uvs.empty() || image.pixels.empty() || image.channels != 3) return flat;
   vec3 u, v;
   vec2 width(0.0F);
-  if (tangents(mesh, mesh.triangles[p.triangle], u, v)) {
+  if (geometry::textureTangents(mesh, mesh.triangles[p.triangle], u, v)) {
     width = p.width / vec2(glm::length(u), glm::length(v));
   }
   return meanOf(image, uvAt(mesh, p), width);
@@ -102,7 +91,7 @@ vec3 shadingNormalAt(const Surfaces& s, const MapPlace& p) {
   const scene::Material& material = s.material(p.triangle);
   vec3 u, v;
   if (material.normal_image == nullptr || s.mesh->uvs.empty() ||
-      !tangents(*s.mesh, s.mesh->triangles[p.triangle], u, v)) {
+      !geometry::textureTangents(*s.mesh, s.mesh->triangles[p.triangle], u, v)) {
     return normal;
   }
   return bent(normal, u, v, lookAt(s, *material.normal_image, p, vec3(0.5F, 0.5F, 1.0F)));

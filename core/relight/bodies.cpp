@@ -181,6 +181,14 @@ void coverTexels(const light::Emitter& e, const transfer::Texels& texels, std::s
   }
 }
 
+Box boxOf(std::span<const light::MaskBlocker> blockers) {
+  Box box;
+  for (const light::MaskBlocker& face : blockers) {
+    for (int i = 0; i < face.count; ++i) box.add(face.corners[static_cast<std::size_t>(i)]);
+  }
+  return box;
+}
+
 std::vector<float> openShare(std::span<const light::Emitter> emitters,
                              const transfer::Texels& texels) {
   std::vector<float> open;

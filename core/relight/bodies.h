@@ -16,6 +16,9 @@ namespace soffit::relight {
 /// casts_shadow.
 std::vector<light::MaskBlocker> bodyBlockers(const light::Emitter& emitter);
 
+/// The box about blockers; empty without any.
+Box boxOf(std::span<const light::MaskBlocker> blockers);
+
 /// Multiplies open[slot] by the share of each texel that a flat body hugging its surface leaves
 /// free (gap under a tenth of the body's size): what lies behind it neither gets nor gives light.
 void coverTexels(const light::Emitter& emitter, const transfer::Texels& texels,

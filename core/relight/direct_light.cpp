@@ -2,6 +2,7 @@
 #include "core/relight/direct_light.h"
 
 #include "core/base/parallel.h"
+#include "core/relight/bodies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,16 +38,10 @@ void append(const light::Receivers& from, std::uint32_t index, Behind& out) {
   out.clusters.push_back(index);
 }
 
-Box boxOf(const light::MaskBlocker& face) {
-  Box box;
-  for (int i = 0; i < face.count; ++i) box.add(face.corners[static_cast<std::size_t>(i)]);
-  return box;
-}
-
 Behind clustersBehindGlass(const transfer::StaticScene& scene, const light::Emitter& emitter,
                            const light::Receivers& receivers, std::span<const std::uint8_t> lit) {
   std::vector<Box> panes;
-  for (const light::MaskBlocker& face : scene.pane_faces) panes.push_back(boxOf(face));
+  for (const light::MaskBlocker& face : scene.pane_faces) panes.push_back(boxOf({&face, 1}));
   Behind out;
   for (std::uint32_t i = 0; i < receivers.clusters.size(); ++i) {
     if (lit[i] == 0) continue;

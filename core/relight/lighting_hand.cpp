@@ -9,18 +9,6 @@
 #include <chrono>
 
 namespace soffit::relight {
-namespace {
-
-Box boxOf(std::span<const light::MaskBlocker> body) {
-  Box box;
-  for (const light::MaskBlocker& face : body) {
-    for (int i = 0; i < face.count; ++i) box.add(face.corners[static_cast<std::size_t>(i)]);
-  }
-  return box;
-}
-
-}  // namespace
-
 void Lighting::grab(std::span<const std::size_t> which) {
   hand_.assign(which.begin(), which.end());
   const bool shades =

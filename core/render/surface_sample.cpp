@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/render/surface_sample.h"
 
+#include "core/geometry/texture_tangents.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,19 +28,6 @@ vec3 towardEye(const vec3& normal, const vec3& to_eye) {
   const float cosine = glm::dot(normal, to_eye);
   return cosine >= kLeastCosine ? normal
                                 : glm::normalize(normal + (kLeastCosine - cosine) * to_eye);
-}
-
-/// Two tangents along u and v, not normalised; false where the texture coordinates say nothing.
-bool tangents(const geometry::Mesh& m, const uvec3& t, vec3& along_u, vec3& along_v) {
-  const vec3 e1 = m.positions[t.y] - m.positions[t.x];
-  const vec3 e2 = m.positions[t.z] - m.positions[t.x];
-  const vec2 d1 = m.uvs[t.y] - m.uvs[t.x];
-  const vec2 d2 = m.uvs[t.z] - m.uvs[t.x];
-  const float det = d1.x * d2.y - d1.y * d2.x;
-  if (!(std::abs(det) > 0.0F) || !std::isfinite(det)) return false;
-  along_u = (d2.y * e1 - d1.y * e2) / det;
-  along_v = (d1.x * e2 - d2.x * e1) / det;
-  return true;
 }
 
 /// Width of the footprint in texels of a map: the surface's metres per uv decide.
@@ -88,7 +77,7 @@ void applyMaps(const geometry::Mesh& m, const Corners& c, const ViewMaterial& ma
   const vec2 uv = c.mix(m.uvs);
   vec3 along_u(0.0F);
   vec3 along_v(0.0F);
-  const bool known = tangents(m, c.t, along_u, along_v);
+  const bool known = geometry::textureTangents(m, c.t, along_u, along_v);
   const auto look = [&](const MipMap& map) {
     return map.at(uv, known ? texelWidth(map, along_u, along_v, s.footprint) : 1.0F);
   };

@@ -14,8 +14,7 @@
 namespace soffit::ui {
 namespace {
 
-constexpr int kToneWay = 21;
-constexpr int kBloomWay = 22;
+enum MergeKey { kKeyWay = 401, kWhiteWay, kThresholdWay, kStrengthWay };
 /// cd/m^2: above white paper under an office's light, below any luminaire.
 constexpr double kUsualThreshold = 1000.0;
 
@@ -63,11 +62,11 @@ FinishFields::FinishFields(QWidget* parent)
 
   connect(key_, &QDoubleSpinBox::valueChanged, this, [this](double v) {
     Q_EMIT edited(
-        tr("Key of the picture"), [v](scene::View& view) { view.tone_key = v; }, kToneWay);
+        tr("Key of the picture"), [v](scene::View& view) { view.tone_key = v; }, kKeyWay);
   });
   connect(white_, &QDoubleSpinBox::valueChanged, this, [this](double v) {
     Q_EMIT edited(
-        tr("White point"), [v](scene::View& view) { view.tone_white = v; }, kToneWay + 2);
+        tr("White point"), [v](scene::View& view) { view.tone_white = v; }, kWhiteWay);
   });
   connect(bloom_, &QCheckBox::clicked, this, [this](bool on) {
     Q_EMIT edited(
@@ -76,11 +75,11 @@ FinishFields::FinishFields(QWidget* parent)
   });
   connect(threshold_, &QuantityBox::edited, this, [this](double v) {
     Q_EMIT edited(
-        tr("Bloom"), [v](scene::View& view) { view.bloom_threshold = v; }, kBloomWay);
+        tr("Bloom"), [v](scene::View& view) { view.bloom_threshold = v; }, kThresholdWay);
   });
   connect(strength_, &QuantityBox::edited, this, [this](double v) {
     Q_EMIT edited(
-        tr("Bloom"), [v](scene::View& view) { view.bloom_strength = v; }, kBloomWay + 2);
+        tr("Bloom"), [v](scene::View& view) { view.bloom_strength = v; }, kStrengthWay);
   });
 }
 
