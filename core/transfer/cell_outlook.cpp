@@ -14,6 +14,11 @@ namespace {
 /// millimetre under an edge, some do.
 constexpr int kMostInside = 3;
 
+/// Of a cell: when a ray meets a surface nearer than this share of its width, its middle lies on
+/// that surface's foot. Direct light cannot tell there on which side of it a receiver is.
+constexpr float kFoot = 0.1F;
+constexpr float kFootMost = 4e-4F;  ///< m: such receivers are this near (direct_stage.h: epsilon)
+
 /// Finds what covers cells.
 class Places {
  public:
@@ -28,8 +33,11 @@ class Places {
   void look(std::size_t i, CellOutlook& out) const {
     out.point = cut_.cells[i].point;
     out.cover = at(out.point);
-    lookAround(i, out);
+    if (out.cover != Cover::none) lookAround(i, out);
   }
+
+  /// The middle is too near to something that stands on the surface.
+  void lookBeside(std::size_t i, CellOutlook& out) const { lookAround(i, out); }
 
   /// The middle is known to be in matter after all.
   void lookPastMatter(std::size_t i, CellOutlook& out) const {
@@ -39,7 +47,7 @@ class Places {
 
  private:
   void lookAround(std::size_t i, CellOutlook& out) const {
-    if (out.cover == Cover::none || cut_.cells[i].area < full_) return;
+    if (cut_.cells[i].area < full_) return;
     std::array<vec3, 4> points;
     std::array<Cover, 4> covers{};
     std::array<int, 3> count{};
@@ -52,10 +60,12 @@ class Places {
       ++count[static_cast<std::size_t>(covers[k])];
     }
     if (count[0] == 0 && (out.cover == Cover::gap || count[1] == 0)) return;
-    out.cover = count[0] > 0 ? Cover::none : Cover::gap;
-    out.share = static_cast<float>(count[static_cast<std::size_t>(out.cover)]) / 5.0F;
-    out.point = points[static_cast<std::size_t>(std::find(covers.begin(), covers.end(), out.cover) -
-                                                covers.begin())];
+    const Cover best = count[0] > 0 ? Cover::none : Cover::gap;
+    const auto found = std::find(covers.begin(), covers.end(), best);
+    if (found == covers.end()) return;  // none but the middle
+    out.cover = best;
+    out.share = static_cast<float>(count[static_cast<std::size_t>(best)]) / 5.0F;
+    out.point = points[static_cast<std::size_t>(found - covers.begin())];
   }
 
   [[nodiscard]] Cover at(const vec3& p) const {
@@ -118,15 +128,23 @@ std::vector<CellOutlook> lookFromCells(const geometry::Mesh& mesh,
     directions[k] = d.x * chart.t + d.y * chart.b + d.z * n;
   }
   std::vector<CellOutlook> out(cut.cells.size());
+  const float foot = std::min(kFootMost, kFoot * std::min(cut.cell.x, cut.cell.y));
+  struct Seen {
+    bool matter = false;
+    bool foot = false;
+  };
   const auto read = [&](std::span<const geometry::Hit> hits, CellOutlook& cell) {
     int inside = 0;
+    Seen seen;
     for (std::size_t k = 0; k < directions.size(); ++k) {
       const bool met = hits[k].valid();
       const float share = met ? hits[k].t / (hits[k].t + scale) : 1.0F;
       cell.distance[k] = static_cast<std::uint8_t>(std::lround(255.0F * share));
       if (met && meetsInside(mesh, sides, hits[k].triangle, directions[k])) ++inside;
+      seen.foot = seen.foot || (met && hits[k].t < foot);
     }
-    return inside > kMostInside;
+    seen.matter = inside > kMostInside;
+    return seen;
   };
   parallelFor(out.size(), 256, [&](std::size_t begin, std::size_t end) {
     std::vector<geometry::Ray> rays;
@@ -146,10 +164,15 @@ std::vector<CellOutlook> lookFromCells(const geometry::Mesh& mesh,
     caster.closest(rays, hits);
     std::vector<std::size_t> again;
     for (std::size_t k = 0; k < of.size(); ++k) {
-      if (!read({&hits[k * directions.size()], directions.size()}, out[of[k]])) continue;
+      const Seen seen = read({&hits[k * directions.size()], directions.size()}, out[of[k]]);
+      if (!seen.matter && !seen.foot) continue;
       // One ray along the normal said otherwise: where a slab's end lies against a wall, it may
       // meet either of the two faces that coincide.
-      places.lookPastMatter(of[k], out[of[k]]);
+      if (seen.matter) {
+        places.lookPastMatter(of[k], out[of[k]]);
+      } else {
+        places.lookBeside(of[k], out[of[k]]);
+      }
       if (out[of[k]].cover != Cover::matter) again.push_back(of[k]);
     }
     rays.clear();
@@ -157,7 +180,7 @@ std::vector<CellOutlook> lookFromCells(const geometry::Mesh& mesh,
     hits.resize(rays.size());
     caster.closest(rays, hits);
     for (std::size_t k = 0; k < again.size(); ++k) {
-      if (read({&hits[k * directions.size()], directions.size()}, out[again[k]])) {
+      if (read({&hits[k * directions.size()], directions.size()}, out[again[k]]).matter) {
         out[again[k]].cover = Cover::matter;
       }
     }

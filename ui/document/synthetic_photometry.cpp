@@ -3,6 +3,7 @@
 
 #include "core/math/vec.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace soffit::ui {

@@ -4,6 +4,7 @@
 #include "core/color/luminance.h"
 #include "core/math/sampling.h"
 
+#include <algorithm>
 #include <array>
 
 namespace soffit::ui {

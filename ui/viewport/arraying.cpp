@@ -7,6 +7,7 @@
 #include "ui/viewport/gizmo.h"
 #include "ui/widgets/quantity.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace soffit::ui {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/viewport/gizmo_scaling.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace soffit::ui {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/viewport/gizmo_turning.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

@@ -4,6 +4,7 @@
 #include "core/geometry/shapes.h"
 #include "core/math/sampling.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 

@@ -7,6 +7,7 @@
 #include "ui/viewport/luminaire_mesh.h"
 #include "ui/widgets/quantity.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace soffit::ui {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -41,13 +42,16 @@ TEST(PolygonIrradiance, RectangleOverItsCornerMatchesTheTextbook) {
 TEST(PolygonIrradiance, FarAwayItIsThePointLight) {
   const auto panel = ceilingPanel(0.1, 0.1, 100.0);
   // (size/distance)^2 = 1e-6 is the truncation of the point formula.
-  EXPECT_NEAR(polygonIrradiance(panel, dvec3(0.05, 0.05, 0), dvec3(0, 0, 1)), 0.01 / 1e4, 0.01 / 1e4 * 2e-6);
+  EXPECT_NEAR(polygonIrradiance(panel, dvec3(0.05, 0.05, 0), dvec3(0, 0, 1)), 0.01 / 1e4,
+              0.01 / 1e4 * 2e-6);
 }
 
 TEST(PolygonIrradiance, ClippingAtTheHorizonAddsUpOverTwoHalves) {
   // The panel cut by the receiver's plane equals the part above it.
-  const std::array<dvec3, 4> wall = {dvec3(1, -1, -1), dvec3(1, 1, -1), dvec3(1, 1, 1), dvec3(1, -1, 1)};
-  const std::array<dvec3, 4> upper = {dvec3(1, -1, 0), dvec3(1, 1, 0), dvec3(1, 1, 1), dvec3(1, -1, 1)};
+  const std::array<dvec3, 4> wall = {dvec3(1, -1, -1), dvec3(1, 1, -1), dvec3(1, 1, 1),
+                                     dvec3(1, -1, 1)};
+  const std::array<dvec3, 4> upper = {dvec3(1, -1, 0), dvec3(1, 1, 0), dvec3(1, 1, 1),
+                                      dvec3(1, -1, 1)};
   const double a = polygonIrradiance(wall, dvec3(0), dvec3(0, 0, 1));
   const double b = polygonIrradiance(upper, dvec3(0), dvec3(0, 0, 1));
   // Seen from the receiver one of the two windings is counter-clockwise.
@@ -62,13 +66,17 @@ TEST(PolygonIrradiance, ClippingAtTheHorizonAddsUpOverTwoHalves) {
 
 TEST(PolygonIrradiance, NonConvexOutlineIsTheDifferenceOfTwoRectangles) {
   // An L: the 2 x 2 square without its far quarter, also when the horizon cuts it.
-  for (const dvec3 n : {dvec3(0, 0, 1), glm::normalize(dvec3(1, 0.3, 0.05)), glm::normalize(dvec3(-1, 0.2, 0.1))}) {
+  for (const dvec3 n :
+       {dvec3(0, 0, 1), glm::normalize(dvec3(1, 0.3, 0.05)), glm::normalize(dvec3(-1, 0.2, 0.1))}) {
     const std::array<dvec3, 6> ell = {dvec3(-1, -1, 1), dvec3(-1, 1, 1), dvec3(0, 1, 1),
                                       dvec3(0, 0, 1),   dvec3(1, 0, 1),  dvec3(1, -1, 1)};
-    const std::array<dvec3, 4> full = {dvec3(-1, -1, 1), dvec3(-1, 1, 1), dvec3(1, 1, 1), dvec3(1, -1, 1)};
-    const std::array<dvec3, 4> quarter = {dvec3(0, 0, 1), dvec3(0, 1, 1), dvec3(1, 1, 1), dvec3(1, 0, 1)};
+    const std::array<dvec3, 4> full = {dvec3(-1, -1, 1), dvec3(-1, 1, 1), dvec3(1, 1, 1),
+                                       dvec3(1, -1, 1)};
+    const std::array<dvec3, 4> quarter = {dvec3(0, 0, 1), dvec3(0, 1, 1), dvec3(1, 1, 1),
+                                          dvec3(1, 0, 1)};
     EXPECT_NEAR(polygonIrradiance(ell, dvec3(0), n),
-                polygonIrradiance(full, dvec3(0), n) - polygonIrradiance(quarter, dvec3(0), n), 32 * kEps);
+                polygonIrradiance(full, dvec3(0), n) - polygonIrradiance(quarter, dvec3(0), n),
+                32 * kEps);
   }
 }
 
@@ -87,13 +95,15 @@ TEST(DiskIrradiance, OnAxisAndAgainstAPolygon) {
   // Any orientation: a 4096-gon of the same area differs by O(1/4096^2).
   Rng rng(7);
   for (int trial = 0; trial < 200; ++trial) {
-    const dvec3 p(4 * rng.uniformDouble() - 2, 4 * rng.uniformDouble() - 2, -0.05 - 2 * rng.uniformDouble());
+    const dvec3 p(4 * rng.uniformDouble() - 2, 4 * rng.uniformDouble() - 2,
+                  -0.05 - 2 * rng.uniformDouble());
     const dvec3 n = dvec3(uniformSphere(rng.uniform(), rng.uniform()));
     ContourSum sum(n);
     constexpr int kCorners = 4096;
     const double step = 2 * kPi / kCorners;
     for (int i = 0; i < kCorners; ++i) {
-      sum.vertex(0.5 * std::sqrt(step / std::sin(step)) * dvec3(std::cos(-i * step), std::sin(-i * step), 0) +
+      sum.vertex(0.5 * std::sqrt(step / std::sin(step)) *
+                     dvec3(std::cos(-i * step), std::sin(-i * step), 0) +
                  dvec3(0, 0, 0) - p);
     }
     const double exact = sum.value();
@@ -116,14 +126,16 @@ TEST(SphereIrradiance, FullPartialAndAgainstSampling) {
       sum += std::max(0.0, std::sqrt(1 - c * c) * std::cos(phi));
     }
   }
-  EXPECT_NEAR(at_horizon, sum * 2 * kPi * (1 - cos_cap) / (kSide * kSide), 1e-6);  // midpoint rule, 1/kSide^2
+  EXPECT_NEAR(at_horizon, sum * 2 * kPi * (1 - cos_cap) / (kSide * kSide),
+              1e-6);  // midpoint rule, 1/kSide^2
   EXPECT_EQ(sphereIrradiance(dvec3(2, 0, -0.6), 0.5, dvec3(0), dvec3(0, 0, 1)), 0.0);
   EXPECT_EQ(sphereIrradiance(dvec3(0), 0.5, dvec3(0.1, 0, 0), dvec3(0, 0, 1)), 0.0);
 }
 
 TEST(TubeIrradiance, MatchesAreaIntegrationAndItsClippedForm) {
   const dvec3 axis(1, 0, 0);
-  for (const dvec3 n : {dvec3(0, 0, 1), glm::normalize(dvec3(0.4, 0.2, 0.5)), glm::normalize(dvec3(1, 0, 0.02))}) {
+  for (const dvec3 n :
+       {dvec3(0, 0, 1), glm::normalize(dvec3(0.4, 0.2, 0.5)), glm::normalize(dvec3(1, 0, 0.02))}) {
     const dvec3 center(0.1, 0.2, 0.8);
     double sum = 0;
     constexpr int kAround = 2000;
@@ -141,13 +153,14 @@ TEST(TubeIrradiance, MatchesAreaIntegrationAndItsClippedForm) {
     // Midpoint rule with kinks: O(1/kAround^2) on a value of order 0.1.
     EXPECT_NEAR(tubeIrradiance(center, axis, 0.6, 0.1, dvec3(0), n), sum, 5e-6);
   }
-  EXPECT_EQ(tubeIrradiance(dvec3(1, 0, 0), axis, 0.6, 0.1, dvec3(0), dvec3(1, 0, 0)), 0.0) << "only an end is seen";
+  EXPECT_EQ(tubeIrradiance(dvec3(1, 0, 0), axis, 0.6, 0.1, dvec3(0), dvec3(1, 0, 0)), 0.0)
+      << "only an end is seen";
 }
 
 TEST(ContourIrradiance16, EqualsTheScalarForm) {
   Rng rng(3);
-  const std::array<dvec3, 5> outline = {dvec3(0, 0, 1), dvec3(-0.2, 1, 1), dvec3(0.5, 1.3, 1), dvec3(1.2, 0.9, 1),
-                                        dvec3(1, 0, 1)};
+  const std::array<dvec3, 5> outline = {dvec3(0, 0, 1), dvec3(-0.2, 1, 1), dvec3(0.5, 1.3, 1),
+                                        dvec3(1.2, 0.9, 1), dvec3(1, 0, 1)};
   int compared = 0;
   for (int trial = 0; trial < 500; ++trial) {
     alignas(64) std::array<float, 16> x, y, z, nx, ny, nz;
@@ -167,7 +180,8 @@ TEST(ContourIrradiance16, EqualsTheScalarForm) {
     for (std::size_t i = 0; i < 16; ++i) {
       if ((clipped >> i & 1U) != 0U) continue;
       ++compared;
-      const double scalar = polygonIrradiance(outline, dvec3(x[i], y[i], z[i]), dvec3(nx[i], ny[i], nz[i]));
+      const double scalar =
+          polygonIrradiance(outline, dvec3(x[i], y[i], z[i]), dvec3(nx[i], ny[i], nz[i]));
       EXPECT_NEAR(value[i], scalar, 200 * kEps);
     }
   }
@@ -201,7 +215,8 @@ TEST(DiskIrradiance16, EqualsTheScalarForm) {
         ++cut;
         continue;
       }
-      const double scalar = diskIrradiance(center, axis, 0.3, dvec3(x[i], y[i], z[i]), dvec3(nx[i], ny[i], nz[i]));
+      const double scalar =
+          diskIrradiance(center, axis, 0.3, dvec3(x[i], y[i], z[i]), dvec3(nx[i], ny[i], nz[i]));
       if (scalar > 0.0) ++above;
       EXPECT_NEAR(value[i], scalar, 200 * kEps);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/core/relight/rooms.h"
 
+#include <algorithm>
+
 namespace soffit::relight {
 namespace {
 

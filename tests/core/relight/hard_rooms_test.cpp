@@ -3,6 +3,8 @@
 #include "core/relight/bodies.h"
 #include "tests/core/relight/readings.h"
 
+#include <algorithm>
+
 namespace soffit::relight {
 namespace {
 

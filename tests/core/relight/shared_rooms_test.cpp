@@ -5,6 +5,8 @@
 #include "core/relight/engine.h"
 #include "tests/core/relight/readings.h"
 
+#include <algorithm>
+
 namespace soffit::relight {
 namespace {
 

@@ -79,3 +79,5 @@ class LuminairePoseTest : public QObject {
 
 QTEST_GUILESS_MAIN(soffit::ui::LuminairePoseTest)
 #include "luminaire_pose_test.moc"
+
+#include <algorithm>

@@ -202,3 +202,5 @@ class OutsideLightTest : public QObject {
 
 QTEST_GUILESS_MAIN(soffit::ui::OutsideLightTest)
 #include "outside_light_test.moc"
+
+#include <algorithm>

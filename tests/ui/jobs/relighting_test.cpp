@@ -168,3 +168,5 @@ class RelightingTest : public QObject {
 
 QTEST_GUILESS_MAIN(soffit::ui::RelightingTest)
 #include "relighting_test.moc"
+
+#include <algorithm>

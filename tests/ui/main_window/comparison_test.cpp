@@ -224,3 +224,5 @@ int main(int argc, char** argv) {
 }
 
 #include "comparison_test.moc"
+
+#include <algorithm>

@@ -316,3 +316,5 @@ int main(int argc, char** argv) {
 }
 
 #include "views_test.moc"
+
+#include <algorithm>

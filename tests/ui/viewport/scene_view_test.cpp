@@ -381,3 +381,5 @@ int main(int argc, char** argv) {
 }
 
 #include "scene_view_test.moc"
+
+#include <algorithm>

@@ -168,3 +168,5 @@ class QuantityTest : public QObject {
 
 QTEST_MAIN(soffit::ui::QuantityTest)
 #include "quantity_test.moc"
+
+#include <algorithm>
