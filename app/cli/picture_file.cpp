@@ -20,6 +20,7 @@ Result<void> writePicture(const std::filesystem::path& path, const render::Film&
   const bool linear = io::isSceneLinear(path);
   const bool lux = options.display.view == color::kFalseColorView;
   facts.view = options.display.view;
+  facts.white_balance = color::balanceOf(options.display);
   facts.exposure_ev = lux ? 0.0 : options.exposure_ev;
   if (lux) facts.unit = "lx";
   io::WriteOptions how;

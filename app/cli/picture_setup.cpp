@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/picture_setup.h"
 
+#include "core/color/white_balance.h"
 #include "core/io/project/starting_place.h"
+#include "core/light/white.h"
 
 #include <fmt/format.h>
 
@@ -71,7 +73,25 @@ Result<std::optional<double>> parseExposure(const std::string& text, double from
                "Give for instance -0.5."};
 }
 
+Result<double> parseWhiteBalance(const std::string& text, const scene::Scene& scene) {
+  if (text.empty()) return scene.view.white_balance;
+  if (text == "auto") return light::whiteOf(scene.luminaires);
+  double kelvin = 0.0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), kelvin);
+  const bool number = parsed.ec == std::errc() && parsed.ptr == text.data() + text.size();
+  if (number &&
+      (kelvin == 0.0 || (kelvin >= color::kWarmestWhite && kelvin <= color::kCoolestWhite))) {
+    return kelvin;
+  }
+  return Error{
+      "--white-balance",
+      fmt::format("expected {:g} to {:g} kelvin, 0 for daylight, or \"auto\", found \"{}\"",
+                  color::kWarmestWhite, color::kCoolestWhite, text),
+      "Give for instance 4000."};
+}
+
 void finishAsProject(const scene::View& view, render::PictureOptions& picture) {
+  picture.display.white_balance = view.white_balance;
   picture.tone = {.key = view.tone_key, .white = view.tone_white};
   picture.bloom = {.threshold = view.bloom_threshold, .strength = view.bloom_strength};
 }

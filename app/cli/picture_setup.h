@@ -26,7 +26,11 @@ Result<scene::Camera> chooseCamera(const scene::Scene& scene, const std::string&
 /// Errors: neither a finite number nor "auto".
 Result<std::optional<double>> parseExposure(const std::string& text, double from_project);
 
-/// The project's tone settings and bloom.
+/// Kelvin that are shown as white, 0 for daylight: the project's when `text` is empty, that of its
+/// luminaires for "auto". Errors: neither "auto" nor a number in range.
+Result<double> parseWhiteBalance(const std::string& text, const scene::Scene& scene);
+
+/// The project's white balance, tone settings and bloom.
 void finishAsProject(const scene::View& view, render::PictureOptions& picture);
 
 /// The scene with its luminaires placed. caster: over its mesh; made here when null.

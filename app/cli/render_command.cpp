@@ -27,8 +27,9 @@ struct RenderArguments {
   std::string camera;
   std::string size = "1280x800";
   int samples = 4;
-  std::string exposure;  ///< EV or "auto"; empty: the project's
-  std::string view;      ///< empty: the project's
+  std::string exposure;       ///< EV or "auto"; empty: the project's
+  std::string view;           ///< empty: the project's
+  std::string white_balance;  ///< kelvin or "auto"; empty: the project's
   std::vector<double> range;
   bool logarithmic = false;
   std::string title;
@@ -39,12 +40,16 @@ struct RenderArguments {
 };
 
 Result<render::PictureOptions> pictureOptions(const RenderArguments& arguments,
-                                              const scene::View& view) {
+                                              const scene::Scene& scene) {
+  const scene::View& view = scene.view;
   render::PictureOptions picture;
   picture.display.display = view.ocio_display;
   picture.display.view = arguments.view.empty() ? view.ocio_view : arguments.view;
   picture.display.look = view.ocio_look;
   finishAsProject(view, picture);
+  const auto white = parseWhiteBalance(arguments.white_balance, scene);
+  if (!white) return white.error();
+  picture.display.white_balance = *white;
   if (arguments.tone_key) picture.tone.key = *arguments.tone_key;
   if (arguments.tone_white) picture.tone.white = *arguments.tone_white;
   if (arguments.bloom) picture.bloom.threshold = *arguments.bloom;
@@ -82,7 +87,7 @@ Result<void> runRender(const RenderArguments& arguments, Session& session,
   if (!camera) return camera.error();
   const auto exposure = parseExposure(arguments.exposure, scene.view.exposure);
   if (!exposure) return exposure.error();
-  auto picture = pictureOptions(arguments, scene.view);
+  auto picture = pictureOptions(arguments, scene);
   if (!picture) return picture.error();
 
   render::RenderOptions options;
@@ -140,6 +145,9 @@ void addRenderCommand(CLI::App& app, Session& session, MakePictureLight make) {
       "--ocio-view", arguments->view,
       "View: Filmic, ACES, sRGB, Reinhard, \"Reinhard 2002\", Tumblin-Rushmeier, \"False colour\"; "
       "without it: the project's");
+  command->add_option("--white-balance", arguments->white_balance,
+                      "Colour temperature that is shown as white, in kelvin; auto: that of the "
+                      "luminaires, 0: daylight; without it: the project's");
   command
       ->add_option(
           "--tone-key", arguments->tone_key,

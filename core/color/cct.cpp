@@ -59,4 +59,11 @@ dvec3 rec709FromXyz(const dvec3& xyz) {
           0.0556300796969936 * xyz.x - 0.2039769588889766 * xyz.y + 1.0569715142428785 * xyz.z};
 }
 
+dvec3 xyzFromRec709(const dvec3& rgb) {
+  static const dmat3 matrix =
+      glm::inverse(dmat3(rec709FromXyz({1.0, 0.0, 0.0}), rec709FromXyz({0.0, 1.0, 0.0}),
+                         rec709FromXyz({0.0, 0.0, 1.0})));
+  return matrix * rgb;
+}
+
 }  // namespace soffit::color

@@ -19,4 +19,7 @@ dvec3 planckianXyz(double cct_k);
 /// Linear Rec.709 of an XYZ triple (D65 white, IEC 61966-2-1 primaries). Not clipped.
 dvec3 rec709FromXyz(const dvec3& xyz);
 
+/// The inverse of rec709FromXyz(), to rounding.
+dvec3 xyzFromRec709(const dvec3& rgb);
+
 }  // namespace soffit::color

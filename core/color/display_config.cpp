@@ -58,6 +58,12 @@ Result<fs::path> findDisplayConfig() {
   return findResource(fs::path("ocio") / "config.ocio");
 }
 
+Result<DisplayNames> displaysOf(const fs::path& config) {
+  const Result<OcioConfig> loaded = loadConfig(config);
+  if (!loaded) return loaded.error();
+  return DisplayNames{displayNames(*loaded), lookNames(*loaded)};
+}
+
 Result<std::vector<std::string>> viewsOf(const fs::path& config, const std::string& display) {
   const Result<OcioConfig> loaded = loadConfig(config);
   if (!loaded) return loaded.error();

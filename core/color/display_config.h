@@ -19,6 +19,13 @@ Result<std::filesystem::path> findResource(const std::filesystem::path& relative
 /// The OCIO config to use: $OCIO if set and not empty, else ocio/config.ocio of the resources.
 Result<std::filesystem::path> findDisplayConfig();
 
+/// The displays and looks of a config, in its order. Errors: unreadable config.
+struct DisplayNames {
+  std::vector<std::string> displays;
+  std::vector<std::string> looks;
+};
+Result<DisplayNames> displaysOf(const std::filesystem::path& config);
+
 /// The views of a display, in the config's order, and those that adapt to the picture
 /// (tone_operator.h), which need the config's kPlainView. Errors: unreadable config, unknown
 /// display.

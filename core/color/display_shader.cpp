@@ -64,7 +64,7 @@ Result<DisplayShader> makeDisplayShader(const DisplayChoice& choice) {
   if (!config) return config.error();
   try {
     const auto processor = std::static_pointer_cast<const ocio::Processor>(
-        viewProcessor(*config, choice.display, view, choice.look));
+        viewProcessor(*config, choice.display, view, choice.look, balanceOf(choice)));
     ocio::GpuShaderDescRcPtr shader = ocio::GpuShaderDesc::CreateShaderDesc();
     shader->setLanguage(ocio::GPU_LANGUAGE_GLSL_1_3);
     shader->setFunctionName(kind ? "soffitPlainView" : "soffitView");

@@ -58,7 +58,7 @@ Result<DisplayTransform> DisplayTransform::create(const DisplayChoice& choice) {
   try {
     auto impl = std::make_shared<Impl>();
     const auto processor = std::static_pointer_cast<const ocio::Processor>(
-        viewProcessor(*config, choice.display, view, choice.look));
+        viewProcessor(*config, choice.display, view, choice.look, balanceOf(choice)));
     impl->processor = processor->getOptimizedCPUProcessor(ocio::OPTIMIZATION_VERY_GOOD);
     if (kind) {
       impl->tone = choice.tone;

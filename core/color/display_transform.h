@@ -22,11 +22,19 @@ struct DisplayChoice {
   std::string display = "sRGB";
   std::string view = "Filmic";
   std::string look;  ///< empty: none
+  /// Colour temperature that is shown as white, kelvin (white_balance.h); 0: daylight, D65. False
+  /// colours have none.
+  double white_balance = 0.0;
   /// Of the views that adapt (toneKindOf()): for the picture that is shown. Others do not read it.
   ToneOperator tone;
 
   friend bool operator==(const DisplayChoice&, const DisplayChoice&) = default;
 };
+
+/// The white that its view is balanced for: false colours stay as they are.
+inline double balanceOf(const DisplayChoice& choice) {
+  return choice.view == kFalseColorView ? 0.0 : choice.white_balance;
+}
 
 /// A view transform of OpenColorIO, ready to run. Immutable, cheap to copy, usable from any thread.
 ///

@@ -2,12 +2,14 @@
 #include "core/color/ocio_config.h"
 
 #include "core/color/display_config.h"
+#include "core/color/white_balance.h"
 
 #include <OpenColorIO/OpenColorIO.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <system_error>
 
 namespace soffit::color {
@@ -30,6 +32,27 @@ Error unknown(const OcioConfig& config, const char* kind, const std::string& nam
   return {config.path, fmt::format("the OCIO config has no {} \"{}\"", kind, name), list};
 }
 
+/// White balance; what it takes out of Rec.709 is clipped.
+ocio::TransformRcPtr balanceTransform(double kelvin) {
+  const dmat3 balance = whiteBalance(kelvin);
+  std::array<double, 16> rows{};
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      rows[static_cast<std::size_t>(4 * row + column)] = balance[column][row];
+    }
+  }
+  rows[15] = 1.0;
+  const auto matrix = ocio::MatrixTransform::Create();
+  matrix->setMatrix(rows.data());
+  const auto clip = ocio::RangeTransform::Create();
+  clip->setMinInValue(0.0);
+  clip->setMinOutValue(0.0);
+  const auto both = ocio::GroupTransform::Create();
+  both->appendTransform(matrix);
+  both->appendTransform(clip);
+  return both;
+}
+
 }  // namespace
 
 Result<OcioConfig> loadConfig(const std::filesystem::path& path) {
@@ -48,10 +71,23 @@ Result<OcioConfig> loadConfig(const std::filesystem::path& path) {
   }
 }
 
-Result<std::vector<std::string>> viewNames(const OcioConfig& config, const std::string& display) {
+std::vector<std::string> displayNames(const OcioConfig& config) {
   const ocio::Config& c = configOf(config);
   std::vector<std::string> displays;
   for (int i = 0; i < c.getNumDisplays(); ++i) displays.emplace_back(c.getDisplay(i));
+  return displays;
+}
+
+std::vector<std::string> lookNames(const OcioConfig& config) {
+  const ocio::Config& c = configOf(config);
+  std::vector<std::string> looks;
+  for (int i = 0; i < c.getNumLooks(); ++i) looks.emplace_back(c.getLookNameByIndex(i));
+  return looks;
+}
+
+Result<std::vector<std::string>> viewNames(const OcioConfig& config, const std::string& display) {
+  const ocio::Config& c = configOf(config);
+  const std::vector<std::string> displays = displayNames(config);
   if (!contains(displays, display)) return unknown(config, "display", display, displays);
   std::vector<std::string> views;
   for (int i = 0; i < c.getNumViews(display.c_str()); ++i) {
@@ -66,10 +102,7 @@ Result<void> checkView(const OcioConfig& config, const std::string& display,
   if (!views) return views.error();
   if (!contains(*views, view)) return unknown(config, "view", view, *views);
   if (look.empty()) return {};
-  std::vector<std::string> looks;
-  for (int i = 0; i < configOf(config).getNumLooks(); ++i) {
-    looks.emplace_back(configOf(config).getLookNameByIndex(i));
-  }
+  const std::vector<std::string> looks = lookNames(config);
   if (!contains(looks, look)) return unknown(config, "look", look, looks);
   return {};
 }
@@ -89,13 +122,15 @@ Result<OcioConfig> loadConfigFor(const std::filesystem::path& path, const std::s
 }
 
 std::shared_ptr<const void> viewProcessor(const OcioConfig& config, const std::string& display,
-                                          const std::string& view, const std::string& look) {
+                                          const std::string& view, const std::string& look,
+                                          double white) {
   auto transform = ocio::DisplayViewTransform::Create();
   transform->setSrc(ocio::ROLE_SCENE_LINEAR);
   transform->setDisplay(display.c_str());
   transform->setView(view.c_str());
   auto pipeline = ocio::LegacyViewingPipeline::Create();
   pipeline->setDisplayViewTransform(transform);
+  if (white > 0.0) pipeline->setLinearCC(balanceTransform(white));
   if (!look.empty()) {
     pipeline->setLooksOverrideEnabled(true);
     pipeline->setLooksOverride(look.c_str());

@@ -32,9 +32,15 @@ Result<void> checkView(const OcioConfig& config, const std::string& display,
 Result<OcioConfig> loadConfigFor(const std::filesystem::path& path, const std::string& display,
                                  const std::string& view, const std::string& look);
 
-/// From scene-linear to the display's code values, through a view that the config has. The pointee
-/// is an OpenColorIO::Processor, alive as long as the config. Throws OpenColorIO's exceptions.
+/// From scene-linear to the display's code values, through a view that the config has. white: what
+/// whiteBalance() takes. The pointee is an OpenColorIO::Processor, alive as long as the config.
+/// Throws OpenColorIO's exceptions.
 std::shared_ptr<const void> viewProcessor(const OcioConfig& config, const std::string& display,
-                                          const std::string& view, const std::string& look);
+                                          const std::string& view, const std::string& look,
+                                          double white = 0.0);
+
+/// Errors: none. Names in the config's order.
+std::vector<std::string> displayNames(const OcioConfig& config);
+std::vector<std::string> lookNames(const OcioConfig& config);
 
 }  // namespace soffit::color

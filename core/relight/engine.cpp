@@ -71,6 +71,11 @@ Result<QualitySettings> qualitySettings(const scene::Quality& quality) {
     return Error{"quality", fmt::format("there is no quality \"{}\"", quality.preset),
                  "Choose draft, interactive or final."};
   }
+  if (!quality.methods.empty()) {
+    const auto& [name, value] = *quality.methods.begin();
+    return Error{"quality." + name, fmt::format("expected a number, found \"{}\"", value),
+                 "Give a number, or leave the setting out."};
+  }
   // A number of texels that somebody asked for is what they get.
   if (!quality.settings.contains("texels")) q.bake.most_cell = kMostCell;
   for (const auto& [name, value] : quality.settings) {

@@ -94,6 +94,9 @@ std::vector<std::pair<std::string, std::string>> pictureMetadata(const PictureFa
   } else {
     add("View", facts.view);
     add("Exposure", fmt::format("{:g} EV", facts.exposure_ev));
+    if (facts.white_balance > 0.0) {
+      add("White balance", fmt::format("{:g} K", facts.white_balance));
+    }
   }
   return lines;
 }

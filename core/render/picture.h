@@ -47,11 +47,12 @@ struct PictureFacts {
   std::string camera;
   std::string view;
   double exposure_ev = 0.0;
+  double white_balance = 0.0;   ///< kelvin, 0: daylight
   std::string unit = "cd/m2";  ///< of scene-linear files
 };
 
-/// Keys and values in the order Project, Layout, Camera, View, Exposure; scene-linear files have
-/// "Unit" in place of the last two. Empty values are left out.
+/// Keys and values in the order Project, Layout, Camera, View, Exposure, White balance; scene-linear
+/// files have "Unit" in place of the last three. Empty values are left out.
 std::vector<std::pair<std::string, std::string>> pictureMetadata(const PictureFacts& facts,
                                                                  bool scene_linear);
 

@@ -133,12 +133,12 @@ bool same(const WorkPlane& a, const WorkPlane& b) {
 bool same(const View& a, const View& b) {
   return a.exposure == b.exposure && a.ocio_display == b.ocio_display &&
          a.ocio_view == b.ocio_view && a.ocio_look == b.ocio_look && a.tone_key == b.tone_key &&
-         a.tone_white == b.tone_white && a.bloom_threshold == b.bloom_threshold &&
+         a.tone_white == b.tone_white && a.white_balance == b.white_balance && a.bloom_threshold == b.bloom_threshold &&
          a.bloom_strength == b.bloom_strength;
 }
 
 bool same(const Quality& a, const Quality& b) {
-  return a.preset == b.preset && a.settings == b.settings;
+  return a.preset == b.preset && a.settings == b.settings && a.methods == b.methods;
 }
 
 bool same(const light::Luminaire& a, const light::Luminaire& b) {

@@ -64,6 +64,7 @@ struct View {
   std::string ocio_display = "sRGB";
   std::string ocio_view = "Filmic";
   std::string ocio_look;
+  double white_balance = 0.0;    ///< kelvin that are shown as white, 0: daylight (color::whiteBalance)
   double tone_key = 0.0;         ///< of views that adapt: 0 as the picture asks (color::ToneSettings)
   double tone_white = 0.0;       ///< the same
   double bloom_threshold = 0.0;  ///< cd/m^2, 0: none (render::Bloom)
@@ -74,6 +75,7 @@ struct View {
 struct Quality {
   std::string preset = "interactive";  ///< "draft" | "interactive" | "final"
   std::map<std::string, double> settings;
+  std::map<std::string, std::string> methods;  ///< single settings that are names
 };
 
 struct Scene {

@@ -124,7 +124,7 @@ def make():
     _doors_and_windows(model)
     _living_room(model, rng)
     _bedroom(model)
-    project = Project("Flat", "flat.obj", exposure=0.4)
+    project = Project("Flat", "flat.obj", exposure=0.4, white_balance=3200)
     _materials(project)
     files = flat_lighting.light(project)
     files["rug.png"] = paintings.rug(690, 510)

@@ -103,7 +103,7 @@ def make():
     _fittings(model)
     _pictures(model)
     _sculptures(model)
-    project = Project("Gallery", "gallery.obj", exposure=0.1)
+    project = Project("Gallery", "gallery.obj", exposure=0.1, white_balance=4000)
     _materials(project)
     files = gallery_lighting.light(project)
     for k, (_, _, _, width, height, pixels) in enumerate(PICTURES, 1):

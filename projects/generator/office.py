@@ -151,7 +151,7 @@ def make():
     _walls(model)
     _islands(model, rng)
     _equipment(model, rng)
-    project = Project("Open-plan office", "office.obj", exposure=0.0)
+    project = Project("Open-plan office", "office.obj", exposure=0.0, white_balance=4000)
     _materials(project)
     files = office_lighting.light(project)
     project.camera("Entrance", [11.75, 1.3, 1.7], [5.2, 4.4, 0.85], 56)

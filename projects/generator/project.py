@@ -4,8 +4,9 @@ import json
 
 
 class Project:
-    def __init__(self, name, obj, exposure=0.0):
+    def __init__(self, name, obj, exposure=0.0, white_balance=None):
         self.name, self.obj, self.exposure = name, obj, exposure
+        self.white_balance = white_balance  # kelvin
         self.materials, self.luminaires, self.layouts = {}, [], []
         self.cameras, self.work_planes = [], []
 
@@ -29,6 +30,13 @@ class Project:
         self.work_planes.append({"name": name, "origin": origin, "u": u, "v": v, "grid": grid,
                                  "room_type": room_type})
 
+    def view(self):
+        view = {"exposure": self.exposure, "ocio_display": "sRGB", "ocio_view": "Filmic",
+                "ocio_look": ""}
+        if self.white_balance is not None:
+            view["white_balance"] = self.white_balance
+        return view
+
     def content(self):
         return {
             "soffit": 1,
@@ -39,8 +47,7 @@ class Project:
             "layouts": self.layouts,
             "cameras": self.cameras,
             "work_planes": self.work_planes,
-            "view": {"exposure": self.exposure, "ocio_display": "sRGB", "ocio_view": "Filmic",
-                     "ocio_look": ""},
+            "view": self.view(),
             "quality": "interactive",
         }
 

@@ -312,48 +312,24 @@
         <translation>Ringleuchte</translation>
     </message>
     <message>
-        <source>⌀ 0.9 m, suspended</source>
-        <translation>⌀ 0,9 m, Pendel</translation>
-    </message>
-    <message>
         <source>Panel</source>
         <translation>Panel</translation>
-    </message>
-    <message>
-        <source>0.6 × 0.6 m</source>
-        <translation>0,6 × 0,6 m</translation>
     </message>
     <message>
         <source>Panel long</source>
         <translation>Langpanel</translation>
     </message>
     <message>
-        <source>1.2 × 0.3 m</source>
-        <translation>1,2 × 0,3 m</translation>
-    </message>
-    <message>
         <source>Linear</source>
         <translation>Lichtlinie</translation>
-    </message>
-    <message>
-        <source>1.5 m, on the ceiling</source>
-        <translation>1,5 m, Anbau</translation>
     </message>
     <message>
         <source>Linear suspended</source>
         <translation>Lichtlinie abgehängt</translation>
     </message>
     <message>
-        <source>1.5 m, suspended</source>
-        <translation>1,5 m, Pendel</translation>
-    </message>
-    <message>
         <source>Pendant</source>
         <translation>Pendelleuchte</translation>
-    </message>
-    <message>
-        <source>⌀ 0.4 m, suspended</source>
-        <translation>⌀ 0,4 m, Pendel</translation>
     </message>
     <message>
         <source>Downlight</source>
@@ -390,10 +366,6 @@
     <message>
         <source>Sphere</source>
         <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>⌀ 0.3 m, suspended</source>
-        <translation>⌀ 0,3 m, Pendel</translation>
     </message>
     <message>
         <source>Custom</source>
@@ -670,6 +642,22 @@
     <message>
         <source>Daylight</source>
         <translation>Tageslicht</translation>
+    </message>
+    <message>
+        <source>⌀ %1, suspended</source>
+        <translation>⌀ %1, Pendel</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1, on the ceiling</source>
+        <translation>%1, Anbau</translation>
+    </message>
+    <message>
+        <source>%1, suspended</source>
+        <translation>%1, Pendel</translation>
     </message>
 </context>
 <context>
@@ -4144,6 +4132,61 @@
     <message>
         <source>A number at each point that there is room for</source>
         <translation>Eine Zahl an jedem Punkt, für den Platz ist</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Look</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Anzeige</translation>
+    </message>
+    <message>
+        <source>OpenColorIO look, on top of the view</source>
+        <translation>Look von OpenColorIO, zusätzlich zur Ansicht</translation>
+    </message>
+    <message>
+        <source>What the picture is shown on: code values are made for this device</source>
+        <translation>Worauf das Bild gezeigt wird: Die Codewerte gelten für dieses Gerät</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keiner</translation>
+    </message>
+    <message>
+        <source>White balance</source>
+        <translation>Weißabgleich</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::WhiteFields</name>
+    <message>
+        <source>Daylight</source>
+        <translation>Tageslicht</translation>
+    </message>
+    <message>
+        <source>As the luminaires</source>
+        <translation>Wie die Leuchten</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>White balance: the colour of light that looks white, as eyes and cameras adapt to it</source>
+        <translation>Weißabgleich: die Lichtfarbe, die weiß aussieht, wie sich Augen und Kameras an sie anpassen</translation>
+    </message>
+    <message>
+        <source>White balance</source>
+        <translation>Weißabgleich</translation>
+    </message>
+    <message>
+        <source>Colour temperature that looks white</source>
+        <translation>Farbtemperatur, die weiß aussieht</translation>
     </message>
 </context>
 </TS>

@@ -72,6 +72,7 @@ Result<void> writePictureFile(const PictureFile& file) {
   }
   render::PictureFacts facts = file.facts;
   facts.view = file.look.false_color ? color::kFalseColorView : file.look.display.view;
+  facts.white_balance = file.look.false_color ? 0.0 : color::balanceOf(file.look.display);
   facts.exposure_ev = file.look.false_color ? 0.0 : file.look.exposure_ev;
   io::WriteOptions how;
   how.metadata = render::pictureMetadata(facts, linear);

@@ -27,11 +27,12 @@ QString flux(double lm) {
 }
 
 LuminaireType plain(const char* id, const QString& name, const QString& about, light::Shape shape,
-                    double lm, double cct_k) {
+                    double lm, double cct_k, std::vector<double> lengths = {}) {
   LuminaireType type;
   type.id = id;
   type.name = name;
   type.about = flux(lm) + QStringLiteral(" \u00b7 ") + about;
+  type.lengths = std::move(lengths);
   type.prototype.name = toStd(name);
   type.prototype.shape = std::move(shape);
   type.prototype.flux = lm;
@@ -60,8 +61,8 @@ LuminaireType ring() {
   constexpr float kOuter = 0.45F;
   constexpr float kInner = 0.40F;
   auto mesh = std::make_shared<const geometry::Mesh>(ringMesh(kOuter, kInner, 48));
-  LuminaireType type =
-      plain("Ring", tr("Ring"), tr("\u2300 0.9 m, suspended"), light::PointShape{}, 4200.0, 3500.0);
+  LuminaireType type = plain("Ring", tr("Ring"), tr("\u2300 %1, suspended"), light::PointShape{},
+                             4200.0, 3500.0, {0.9});
   type.prototype.shape = light::MeshShape{"ring_light.obj", 1.0, 'z', mesh};
   type.mesh = {"ring_light.obj", objText(*mesh)};
   return hung(std::move(type), 0.8);
@@ -78,18 +79,18 @@ double roundTwo(double v) {
 
 std::vector<LuminaireType> builtInTypes() {
   std::vector<LuminaireType> all;
-  all.push_back(
-      plain("Panel", tr("Panel"), tr("0.6 \u00d7 0.6 m"), light::Rectangle{0.6, 0.6}, 3600, 4000));
-  all.push_back(plain("Panel long", tr("Panel long"), tr("1.2 \u00d7 0.3 m"),
-                      light::Rectangle{1.2, 0.3}, 3600, 4000));
-  all.push_back(plain("Linear", tr("Linear"), tr("1.5 m, on the ceiling"),
-                      light::Rectangle{1.5, 0.06}, 3000, 4000));
-  all.push_back(hung(plain("Linear suspended", tr("Linear suspended"), tr("1.5 m, suspended"),
-                           light::Tube{1.5, 0.025}, 4200, 4000),
+  all.push_back(plain("Panel", tr("Panel"), tr("%1 \u00d7 %2"), light::Rectangle{0.6, 0.6}, 3600,
+                      4000, {0.6, 0.6}));
+  all.push_back(plain("Panel long", tr("Panel long"), tr("%1 \u00d7 %2"),
+                      light::Rectangle{1.2, 0.3}, 3600, 4000, {1.2, 0.3}));
+  all.push_back(plain("Linear", tr("Linear"), tr("%1, on the ceiling"), light::Rectangle{1.5, 0.06},
+                      3000, 4000, {1.5}));
+  all.push_back(hung(plain("Linear suspended", tr("Linear suspended"), tr("%1, suspended"),
+                           light::Tube{1.5, 0.025}, 4200, 4000, {1.5}),
                      0.7));
-  all.push_back(hung(
-      plain("Pendant", tr("Pendant"), tr("\u2300 0.4 m, suspended"), light::Disk{0.2}, 1800, 3000),
-      1.0));
+  all.push_back(hung(plain("Pendant", tr("Pendant"), tr("\u2300 %1, suspended"), light::Disk{0.2},
+                           1800, 3000, {0.4}),
+                     1.0));
   all.push_back(
       measured(plain("Downlight", tr("Downlight"), tr("70\u00b0"), light::Disk{0.06}, 1500, 3500),
                syntheticSpot("Downlight 70", 70.0, 1500.0), "downlight_70.ies"));
@@ -102,9 +103,9 @@ std::vector<LuminaireType> builtInTypes() {
   all.push_back(measured(
       plain("Wall washer", tr("Wall washer"), tr("lights one side"), light::Disk{0.06}, 1600, 3500),
       syntheticWallWasher("Wall washer", 1600.0), "wall_washer.ies"));
-  all.push_back(hung(
-      plain("Sphere", tr("Sphere"), tr("\u2300 0.3 m, suspended"), light::Sphere{0.15}, 1400, 2700),
-      0.8));
+  all.push_back(hung(plain("Sphere", tr("Sphere"), tr("\u2300 %1, suspended"), light::Sphere{0.15},
+                           1400, 2700, {0.3}),
+                     0.8));
   all.push_back(ring());
   all.push_back(
       plain("Custom", tr("Custom"), tr("see Properties"), light::Rectangle{0.4, 0.4}, 2000, 4000));

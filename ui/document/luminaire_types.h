@@ -30,12 +30,13 @@ struct TypeFile {
 /// names that luminaires of this kind get.
 struct LuminaireType {
   QString name;
-  QString about;  ///< one line: size, lumens
+  QString about;  ///< one line: lumens, and what else tells it from others, %1, %2 for `lengths`
   light::Luminaire prototype;
   Mounting mounting = Mounting::ceiling;
   double drop = 0.0;  ///< m
   TypeFile photometry;
   TypeFile mesh;
+  std::vector<double> lengths = {};  ///< m
   QByteArray id = {};  ///< of a built-in kind, the same in every language; else empty
 };
 

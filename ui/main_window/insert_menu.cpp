@@ -6,6 +6,7 @@
 #include "ui/jobs/library_index.h"
 #include "ui/jobs/mesh_import.h"
 #include "ui/main_window/main_window.h"
+#include "ui/panels/luminaire_text.h"
 #include "ui/viewport/drawing_polygon.h"
 #include "ui/viewport/making_luminous.h"
 #include "ui/viewport/placing.h"
@@ -53,8 +54,8 @@ void MainWindow::placeFromMesh() {
 void MainWindow::makeInsertMenu() {
   QMenu& menu = named(menuBar()->addMenu(tr("&Insert")), "Insert");
   for (const LuminaireType& type : builtInTypes()) {
-    forProject(
-        addEntry(menu, {type.name, {}, type.about, type.id}, this, [this, type] { place(type); }));
+    forProject(addEntry(menu, {type.name, {}, describeType(type), type.id}, this,
+                        [this, type] { place(type); }));
   }
   connect(workspace_.library, &LibraryPanel::chosen, this, &MainWindow::place);
   menu.addSeparator();

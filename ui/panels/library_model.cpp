@@ -4,6 +4,7 @@
 #include "core/light/emitter.h"
 #include "ui/document/luminaire_type_mime.h"
 #include "ui/document/text.h"
+#include "ui/panels/luminaire_text.h"
 #include "ui/widgets/polar_diagram.h"
 
 #include <QDir>
@@ -67,8 +68,7 @@ QImage thumbnailOf(const LuminaireType& type, int pixels) {
 
 LibraryModel::LibraryModel(QObject* parent) : QAbstractListModel(parent) {
   for (LuminaireType& type : builtInTypes()) {
-    QString about = type.about;
-    rows_.push_back({std::move(type), std::move(about), {}, {}});
+    rows_.push_back({std::move(type), {}, {}, {}});
   }
   built_in_ = rows_.size();
 }
@@ -107,17 +107,22 @@ const QIcon& LibraryModel::iconOf(const Row& row) const {
   return row.icon;
 }
 
+QString LibraryModel::textOf(const Row& row) {
+  // Built-in kinds say their lengths in the units that are shown now.
+  const QString facts = row.path.isEmpty() ? describeType(row.type) : row.facts;
+  return row.type.name + QLatin1Char('\n') + facts;
+}
+
 QVariant LibraryModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Row& row = rows_[static_cast<std::size_t>(index.row())];
   switch (role) {
     case Qt::DisplayRole:
-      return QString(row.type.name + QLatin1Char('\n') + row.facts);
+      return textOf(row);
     case Qt::DecorationRole:
       return iconOf(row);
     case Qt::ToolTipRole:
-      return row.path.isEmpty() ? row.type.name + QLatin1Char('\n') + row.facts
-                                : QDir::toNativeSeparators(row.path);
+      return row.path.isEmpty() ? textOf(row) : QDir::toNativeSeparators(row.path);
     default:
       return {};
   }

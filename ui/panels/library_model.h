@@ -34,11 +34,12 @@ class LibraryModel : public QAbstractListModel {
  private:
   struct Row {
     LuminaireType type;
-    QString facts;  ///< second line
+    QString facts;  ///< second line of those that have a path
     QString path;   ///< tool tip; empty for built-in ones
     mutable QIcon icon;
   };
   [[nodiscard]] const QIcon& iconOf(const Row& row) const;
+  [[nodiscard]] static QString textOf(const Row& row);
 
   std::vector<Row> rows_;
   std::size_t built_in_ = 0;

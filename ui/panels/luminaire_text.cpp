@@ -51,6 +51,16 @@ QString describeShape(const light::Shape& shape) {
   return std::visit(ShapeText{}, shape);
 }
 
+QString describeType(const LuminaireType& type) {
+  QString about = type.about;
+  for (std::size_t i = 0; i < type.lengths.size(); ++i) {
+    const bool last = i + 1 == type.lengths.size();
+    about = about.arg(last ? formatQuantity(type.lengths[i], Dimension::length, 2)
+                           : formatNumber(type.lengths[i], Dimension::length, 2));
+  }
+  return about;
+}
+
 QString describeDistribution(const light::Distribution& distribution) {
   switch (distribution.kind) {
     case light::DistributionKind::lambertian:

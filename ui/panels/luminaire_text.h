@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/light/luminaire.h"
+#include "ui/document/luminaire_types.h"
 
 #include <QColor>
 #include <QString>
@@ -10,6 +11,9 @@ namespace soffit::ui {
 
 /// "Rectangle 0.6 × 1.2 m", "Disk ⌀ 0.3 m", "Mesh neon.obj".
 QString describeShape(const light::Shape& shape);
+
+/// What a kind says about itself, with its lengths as they are shown now: "3600 lm · 0.6 × 0.6 m".
+QString describeType(const LuminaireType& type);
 
 /// "Lambertian", "spot_wide.ies".
 QString describeDistribution(const light::Distribution& distribution);

@@ -2,8 +2,10 @@
 #include "ui/panels/view_panel.h"
 
 #include "core/color/display_config.h"
+#include "core/light/white.h"
 #include "ui/document/text.h"
 #include "ui/panels/finish_fields.h"
+#include "ui/panels/white_fields.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -15,7 +17,9 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace soffit::ui {
 namespace {
@@ -23,17 +27,37 @@ namespace {
 constexpr int kSliderSteps = 20;  // per stop
 constexpr double kMostStops = 8.0;
 constexpr int kExposureWay = 20;
+constexpr int kWhiteBalanceWay = 21;
 /// Of the box that says where lines are drawn; the third is both.
 enum LinesOn { kOnSurfaces, kOnPlanes };
 
-void addViews(QComboBox& box) {
+QStringList viewsOf(const QString& display) {
+  QStringList names;
   const auto config = color::findDisplayConfig();
-  if (!config) return;
-  const auto views = color::viewsOf(*config, "sRGB");
-  if (!views) return;
+  if (!config) return names;
+  const auto views = color::viewsOf(*config, toStd(display));
+  if (!views) return names;
   for (const std::string& view : *views) {
-    if (view != color::kFalseColorView) box.addItem(toQt(view));
+    if (view != color::kFalseColorView) names += toQt(view);
   }
+  return names;
+}
+
+color::DisplayNames displayNames() {
+  const auto config = color::findDisplayConfig();
+  if (!config) return {};
+  auto names = color::displaysOf(*config);
+  return names ? std::move(*names) : color::DisplayNames{};
+}
+
+/// A long name does not widen the dock.
+QComboBox* nameBox(const QString& name, const QString& tip) {
+  auto* box = new QComboBox;
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(8);
+  box->setAccessibleName(name);
+  box->setToolTip(tip);
+  return box;
 }
 
 }  // namespace
@@ -49,12 +73,7 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
   exposure_->setSteps(0.25, 2);
   auto* automatic = new QPushButton(tr("Auto"));
   automatic->setToolTip(tr("Expose for what is seen now"));
-  view_ = new QComboBox;
-  addViews(*view_);
-  // A long name does not widen the dock.
-  view_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  view_->setMinimumContentsLength(8);
-  view_->setToolTip(tr("OpenColorIO view transform, the same in exported pictures"));
+  makeTransformFields();
   makeLightFields();
 
   auto* form = new QFormLayout;
@@ -63,10 +82,11 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
   exposure_row->addWidget(exposure_slider_, 1);
   exposure_row->addWidget(exposure_);
   form->addRow(tr("Exposure"), exposure_row);
-  auto* view_row = new QHBoxLayout;
-  view_row->addWidget(view_, 1);
-  view_row->addWidget(automatic);
-  form->addRow(tr("View"), view_row);
+  exposure_row->addWidget(automatic);
+  form->addRow(tr("White"), white_);
+  form->addRow(tr("View"), view_);
+  if (look_->count() > 1) form->addRow(tr("Look"), look_);
+  if (display_->count() > 1) form->addRow(tr("Display"), display_);
   finish_ = new FinishFields;
   form->addRow(finish_);
   connect(finish_, &FinishFields::edited, this,
@@ -94,12 +114,63 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
     editView(
         tr("Exposure"), [&](scene::View& v) { v.exposure = stops; }, kExposureWay);
   });
-  connect(view_, &QComboBox::textActivated, this, [this](const QString& name) {
-    editView(tr("View transform"), [&](scene::View& v) { v.ocio_view = toStd(name); });
-  });
   connect(automatic, &QPushButton::clicked, this, &ViewPanel::autoExposureRequested);
   showScale();
   refresh();
+}
+
+void ViewPanel::makeTransformFields() {
+  white_ = new WhiteFields;
+  view_ = nameBox(tr("View"), tr("OpenColorIO view transform, the same in exported pictures"));
+  look_ = nameBox(tr("Look"), tr("OpenColorIO look, on top of the view"));
+  display_ = nameBox(tr("Display"),
+                     tr("What the picture is shown on: code values are made for this device"));
+  look_->setObjectName(QStringLiteral("look"));
+  display_->setObjectName(QStringLiteral("display"));
+  const color::DisplayNames names = displayNames();
+  look_->addItem(tr("None"), QString());
+  for (const std::string& look : names.looks) look_->addItem(toQt(look), toQt(look));
+  for (const std::string& display : names.displays) display_->addItem(toQt(display));
+
+  connect(white_, &WhiteFields::edited, this, [this](double kelvin) {
+    editView(
+        tr("White balance"), [&](scene::View& v) { v.white_balance = kelvin; }, kWhiteBalanceWay);
+  });
+  connect(white_, &WhiteFields::chosen, this, [this](double kelvin) {
+    editView(tr("White balance"), [&](scene::View& v) { v.white_balance = kelvin; });
+  });
+  connect(white_, &WhiteFields::luminairesRequested, this, [this] {
+    if (document_ == nullptr) return;
+    const double kelvin = std::round(light::whiteOf(document_->luminaires()));
+    editView(tr("White balance"), [&](scene::View& v) { v.white_balance = kelvin; });
+    refresh();
+  });
+  connect(view_, &QComboBox::textActivated, this, [this](const QString& name) {
+    editView(tr("View transform"), [&](scene::View& v) { v.ocio_view = toStd(name); });
+  });
+  connect(look_, &QComboBox::activated, this, [this](int index) {
+    const std::string look = toStd(look_->itemData(index).toString());
+    editView(tr("Look"), [&](scene::View& v) { v.ocio_look = look; });
+  });
+  connect(display_, &QComboBox::textActivated, this, [this](const QString& name) {
+    const QStringList views = viewsOf(name);
+    editView(tr("Display"), [&](scene::View& v) {
+      v.ocio_display = toStd(name);
+      if (!views.isEmpty() && !views.contains(toQt(v.ocio_view))) v.ocio_view = toStd(views[0]);
+    });
+  });
+}
+
+void ViewPanel::showTransform(const scene::View& view) {
+  white_->showView(view);
+  if (const QString display = toQt(view.ocio_display); display != views_of_) {
+    view_->clear();
+    view_->addItems(viewsOf(display));
+    views_of_ = display;
+  }
+  view_->setCurrentText(toQt(view.ocio_view));
+  display_->setCurrentText(toQt(view.ocio_display));
+  look_->setCurrentIndex(std::max(0, look_->findData(toQt(view.ocio_look))));
 }
 
 void ViewPanel::makeLightFields() {
@@ -160,7 +231,7 @@ void ViewPanel::refresh() {
     exposure_slider_->setValue(static_cast<int>(std::lround(view.exposure * kSliderSteps)));
   }
   exposure_->setValue(view.exposure);
-  view_->setCurrentText(toQt(view.ocio_view));
+  showTransform(view);
   finish_->showView(view);
   Q_EMIT lookChanged();
 }
@@ -172,6 +243,7 @@ Look ViewPanel::look() const {
     look.display.display = view.ocio_display;
     look.display.view = view.ocio_view;
     look.display.look = view.ocio_look;
+    look.display.white_balance = view.white_balance;
     look.exposure_ev = view.exposure;
     look.tone = {.key = view.tone_key, .white = view.tone_white};
     look.bloom = {.threshold = view.bloom_threshold, .strength = view.bloom_strength};

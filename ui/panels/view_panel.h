@@ -17,6 +17,7 @@ class QSlider;
 namespace soffit::ui {
 
 class FinishFields;
+class WhiteFields;
 
 /// What is shown of the light on work planes.
 struct PlaneLook {
@@ -57,13 +58,19 @@ class ViewPanel : public QWidget {
   void refresh();
   void editView(const QString& text, const std::function<void(scene::View&)>& change,
                 int merge_key = -1);
+  void makeTransformFields();
   void makeLightFields();
+  void showTransform(const scene::View& view);
   void showScale();
 
   Document* document_ = nullptr;
   QSlider* exposure_slider_;
   QuantityBox* exposure_;
+  WhiteFields* white_;
   QComboBox* view_;
+  QComboBox* look_;
+  QComboBox* display_;
+  QString views_of_;  ///< the display whose views are listed
   FinishFields* finish_;
   QCheckBox* false_color_;
   QCheckBox* isolines_;

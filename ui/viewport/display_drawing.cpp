@@ -179,7 +179,8 @@ void shrink(std::vector<vec3>& picture, int& width, int& height) {
 
 bool sameView(const Look& a, const Look& b) {
   return a.display.config == b.display.config && a.display.display == b.display.display &&
-         a.display.view == b.display.view && a.display.look == b.display.look;
+         a.display.view == b.display.view && a.display.look == b.display.look &&
+         color::balanceOf(a.display) == color::balanceOf(b.display);
 }
 
 }  // namespace

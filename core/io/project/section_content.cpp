@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/project/content.h"
 
+#include "core/color/white_balance.h"
 #include "core/scene/checks.h"
 
 #include <fmt/format.h>
@@ -128,6 +129,14 @@ scene::View readView(const Json& value, const std::string& path, Report& report)
     report.fail(reader.pathOf(key), fmt::format("expected 0 to {:g}, found {:g}", most, number),
                 "Correct the number, or leave it out.");
   };
+  reader.read("white_balance", view.white_balance);
+  if (view.white_balance != 0.0 &&
+      !(view.white_balance >= color::kWarmestWhite && view.white_balance <= color::kCoolestWhite)) {
+    report.fail(reader.pathOf("white_balance"),
+                fmt::format("expected 0 or {:g} to {:g}, found {:g}", color::kWarmestWhite,
+                            color::kCoolestWhite, view.white_balance),
+                "Give the colour temperature that is to look white, in kelvin, or leave it out.");
+  }
   within("tone_key", view.tone_key, 100.0);
   within("tone_white", view.tone_white, 1e6);
   within("bloom_threshold", view.bloom_threshold, 1e9);
@@ -147,6 +156,10 @@ scene::Quality readQuality(const Json& value, const std::string& path, Report& r
   if (object == nullptr) return quality;
   for (const JsonMember& member : *object) {
     if (member.key == "preset") continue;
+    if (member.value.asText() != nullptr) {
+      reader.read(member.key, quality.methods[member.key]);
+      continue;
+    }
     reader.read(member.key, quality.settings[member.key]);
   }
   return quality;

@@ -10,9 +10,10 @@ Json toJson(const scene::Glass& glass) {
 }
 
 Json toJson(const scene::Quality& quality) {
-  if (quality.settings.empty()) return quality.preset;
+  if (quality.settings.empty() && quality.methods.empty()) return quality.preset;
   Json json = Json::object({{"preset", quality.preset}});
   for (const auto& [key, value] : quality.settings) json[key] = value;
+  for (const auto& [key, value] : quality.methods) json[key] = value;
   return json;
 }
 
@@ -52,6 +53,7 @@ Json toJson(const scene::View& view) {
   const auto add = [&](const char* key, double value, double otherwise) {
     if (value != otherwise) json[key] = value;
   };
+  add("white_balance", view.white_balance, usual.white_balance);
   add("tone_key", view.tone_key, usual.tone_key);
   add("tone_white", view.tone_white, usual.tone_white);
   add("bloom_threshold", view.bloom_threshold, usual.bloom_threshold);

@@ -50,6 +50,29 @@ TEST_P(Views, PlaceGreysAsPublished) {
   EXPECT_NEAR(grey(view, 0.0F), 0.0F, 1e-8F);  // ACES leaves a rounding error of black
 }
 
+// The plain view leaves the display's own curve: powers, but for sRGB.
+TEST(Displays, HaveTheirOwnCurves) {
+  const auto shown = [](const char* display) {
+    const auto made =
+        DisplayTransform::create({.config = kConfig, .display = display, .view = "sRGB"});
+    EXPECT_TRUE(made.ok()) << made.error().message();
+    return grey(*made, 0.18F);
+  };
+  EXPECT_NEAR(shown("Gamma 2.2"), std::pow(0.18F, 1.0F / 2.2F), 1e-4F);
+  EXPECT_NEAR(shown("Rec.1886"), std::pow(0.18F, 1.0F / 2.4F), 1e-4F);
+  EXPECT_NEAR(shown("sRGB"), 1.055F * std::pow(0.18F, 1.0F / 2.4F) - 0.055F, 1e-4F);
+}
+
+TEST(Displays, AreNamedWithTheLooks) {
+  const auto names = displaysOf(kConfig);
+  ASSERT_TRUE(names.ok());
+  EXPECT_THAT(names->displays, ElementsAre("sRGB", "Gamma 2.2", "Rec.1886"));
+  EXPECT_THAT(names->looks, ElementsAre("Punchy", "Soft"));
+  for (const std::string& display : names->displays) {
+    EXPECT_EQ(*viewsOf(kConfig, display), *viewsOf(kConfig, "sRGB")) << display;
+  }
+}
+
 TEST_P(Views, KeepGreyNeutralAndRiseFromBlackToWhite) {
   const DisplayTransform view = makeView(GetParam().view);
   float before = 0.0F;
@@ -172,7 +195,7 @@ TEST(DisplayTransform, SaysWhatTheConfigHasInsteadOfAnUnknownName) {
             at + ": the OCIO config has no view \"Magic\". It has: Filmic, ACES, sRGB, Reinhard, "
                  "False colour.");
   EXPECT_EQ(DisplayTransform::create({.config = kConfig, .display = "TV"}).error().message(),
-            at + ": the OCIO config has no display \"TV\". It has: sRGB.");
+            at + ": the OCIO config has no display \"TV\". It has: sRGB, Gamma 2.2, Rec.1886.");
   EXPECT_EQ(DisplayTransform::create({.config = kConfig, .look = "Noir"}).error().message(),
             at + ": the OCIO config has no look \"Noir\". It has: Punchy, Soft.");
 }

@@ -127,6 +127,9 @@ TEST(PictureMetadata, SaysWhatThePictureShows) {
                           Pair("Camera", "Entrance"), Pair("Unit", "cd/m2")));
   EXPECT_THAT(pictureMetadata({.project = "A", .view = "ACES"}, false),
               ElementsAre(Pair("Project", "A"), Pair("View", "ACES"), Pair("Exposure", "0 EV")));
+  EXPECT_THAT(pictureMetadata({.view = "ACES", .white_balance = 4000.0}, false),
+              ElementsAre(Pair("View", "ACES"), Pair("Exposure", "0 EV"),
+                          Pair("White balance", "4000 K")));
 }
 
 TEST(Pen, CutsOffWhatLiesOutside) {

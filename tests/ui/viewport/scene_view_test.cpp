@@ -47,17 +47,22 @@ class SceneViewTest : public QObject {
   void everyViewEqualsTheOneOfPicturesWithinOneCodeValue_data() {
     QTest::addColumn<QByteArray>("name");
     QTest::addColumn<double>("bloom");
+    QTest::addColumn<double>("white");
     for (const char* name :
          {"Filmic", "ACES", "sRGB", "Reinhard", "Reinhard 2002", "Tumblin-Rushmeier"}) {
-      QTest::newRow(name) << QByteArray(name) << 0.0;
+      QTest::newRow(name) << QByteArray(name) << 0.0 << 0.0;
     }
-    QTest::newRow("bloom") << QByteArray("Filmic") << 300.0;
-    QTest::newRow("both") << QByteArray("Reinhard 2002") << 300.0;
+    QTest::newRow("bloom") << QByteArray("Filmic") << 300.0 << 0.0;
+    QTest::newRow("both") << QByteArray("Reinhard 2002") << 300.0 << 0.0;
+    QTest::newRow("white") << QByteArray("Filmic") << 0.0 << 3000.0;
+    QTest::newRow("all") << QByteArray("Reinhard 2002") << 300.0 << 4200.0;
   }
   void everyViewEqualsTheOneOfPicturesWithinOneCodeValue() {
     QFETCH(QByteArray, name);
     QFETCH(double, bloom);
+    QFETCH(double, white);
     Look look;
+    look.display.white_balance = white;
     look.display.view = name.toStdString();
     look.exposure_ev = 1.5;
     look.bloom = {.threshold = bloom, .strength = 0.3};
