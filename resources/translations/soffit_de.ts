@@ -4169,14 +4169,6 @@
         <translation>Tageslicht</translation>
     </message>
     <message>
-        <source>As the luminaires</source>
-        <translation>Wie die Leuchten</translation>
-    </message>
-    <message>
-        <source>Temperature</source>
-        <translation>Temperatur</translation>
-    </message>
-    <message>
         <source>White balance: the colour of light that looks white, as eyes and cameras adapt to it</source>
         <translation>Weißabgleich: die Lichtfarbe, die weiß aussieht, wie sich Augen und Kameras an sie anpassen</translation>
     </message>
@@ -4187,6 +4179,14 @@
     <message>
         <source>Colour temperature that looks white</source>
         <translation>Farbtemperatur, die weiß aussieht</translation>
+    </message>
+    <message>
+        <source>Luminaires</source>
+        <translation>Leuchten</translation>
+    </message>
+    <message>
+        <source>Kelvin</source>
+        <translation>Kelvin</translation>
     </message>
 </context>
 </TS>

@@ -12,9 +12,9 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -66,12 +66,13 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
   exposure_slider_ = new QSlider(Qt::Horizontal);
   exposure_slider_->setRange(static_cast<int>(-kMostStops * kSliderSteps),
                              static_cast<int>(kMostStops * kSliderSteps));
-  exposure_slider_->setMinimumWidth(60);
+  exposure_slider_->setMinimumWidth(40);
   exposure_slider_->setAccessibleName(tr("Exposure"));
   exposure_ = new QuantityBox(Dimension::exposure);
   exposure_->setRange(-20.0, 20.0);
   exposure_->setSteps(0.25, 2);
-  auto* automatic = new QPushButton(tr("Auto"));
+  auto* automatic = new QToolButton;
+  automatic->setText(tr("Auto"));
   automatic->setToolTip(tr("Expose for what is seen now"));
   makeTransformFields();
   makeLightFields();
@@ -114,7 +115,7 @@ ViewPanel::ViewPanel(QWidget* parent) : QWidget(parent) {
     editView(
         tr("Exposure"), [&](scene::View& v) { v.exposure = stops; }, kExposureWay);
   });
-  connect(automatic, &QPushButton::clicked, this, &ViewPanel::autoExposureRequested);
+  connect(automatic, &QToolButton::clicked, this, &ViewPanel::autoExposureRequested);
   showScale();
   refresh();
 }

@@ -19,12 +19,12 @@ constexpr double kUsualWhite = 4000.0;
 WhiteFields::WhiteFields(QWidget* parent)
     : QWidget(parent), choice_(new QComboBox), kelvin_(new QuantityBox(Dimension::temperature)) {
   choice_->setObjectName(QStringLiteral("white"));
-  choice_->addItems({tr("Daylight"), tr("As the luminaires"), tr("Temperature")});
+  choice_->addItems({tr("Daylight"), tr("Luminaires"), tr("Kelvin")});
   choice_->setToolTip(
       tr("White balance: the colour of light that looks white, as eyes and cameras adapt to it"));
   choice_->setAccessibleName(tr("White balance"));
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  choice_->setMinimumContentsLength(8);
+  choice_->setMinimumContentsLength(5);
   kelvin_->setRange(color::kWarmestWhite, color::kCoolestWhite);
   kelvin_->setSteps(100.0, 0);
   kelvin_->setAccessibleName(tr("Colour temperature that looks white"));

@@ -202,6 +202,7 @@ color::PictureLuminance SceneView::adaptation() {
 
 void SceneView::setViewCamera(const ViewCamera& camera) {
   view_ = camera;
+  size_ = viewSize();  // which may come before the first resizeGL()
   restart();
   Q_EMIT cameraMoved();
 }
@@ -264,7 +265,19 @@ void SceneView::refine() {
 
 void SceneView::resizeGL(int width, int height) {
   VtkView::resizeGL(width, height);
+  keepExtent(viewSize());
   restart();
+}
+
+void SceneView::keepExtent(const dvec2& size) {
+  if (view_.isParallel() && size_.y > 0.0 && size.x > 0.0 && size.y > 0.0) {
+    if (view_.parallel_height != kept_height_) {
+      extent_ = view_.parallel_height * dvec2(size_.x / size_.y, 1.0);
+    }
+    kept_height_ = std::max(extent_.y, extent_.x * size.y / size.x);
+    view_.parallel_height = kept_height_;
+  }
+  size_ = size;
 }
 
 void SceneView::paintGL() {

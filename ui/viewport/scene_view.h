@@ -134,6 +134,8 @@ class SceneView : public VtkView {
   /// The overlay as a picture has it: the lines of a plan or a section, nothing to work with.
   void showDrawingLines();
   void restart();
+  /// A parallel view whose widget changes its shape goes on showing what it showed.
+  void keepExtent(const dvec2& size);
   void refine();
   [[nodiscard]] double movingScale() const;
   [[nodiscard]] Pointable pointable() const;
@@ -153,6 +155,9 @@ class SceneView : public VtkView {
   Look look_;
   bool look_given_ = false;
   ViewCamera view_;
+  dvec2 size_{0.0};           ///< of the widget, logical pixels
+  dvec2 extent_{0.0};         ///< m: what a parallel view shows at least
+  double kept_height_ = 0.0;  ///< m: the picture's height that follows from it; another: a new one
   std::shared_ptr<const DisplayMesh> mesh_;
   std::shared_ptr<const relight::Solver> mesh_solver_;
   DisplayMeshJob mesh_job_;

@@ -227,6 +227,28 @@ class FlatViewsTest : public QObject {
     QCOMPARE(v_->document->undoStack()->count(), 0);
   }
 
+  void aNarrowerWidgetGoesOnShowingAllThatItShowed() {
+    SceneView& view = *v_->view;
+    const auto resize = [&](int width, int height) {
+      view.resize(width, height);
+      (void)QTest::qWaitFor([&] { return view.viewSize() == dvec2(width, height); });
+      QTest::qWait(50);
+      return view.viewCamera().parallel_height;
+    };
+    view.setViewCamera(flat(StandardView::plan));
+    const double height = view.viewCamera().parallel_height;
+    QVERIFY(std::abs(resize(320, 400) - 2.0 * height) < kRoundoff);
+    // What was seen comes back, and no more is lost on the way.
+    QVERIFY(std::abs(resize(500, 400) - 1.28 * height) < kRoundoff);
+    QVERIFY(std::abs(resize(640, 400) - height) < kRoundoff);
+    QVERIFY(std::abs(resize(900, 400) - height) < kRoundoff);
+    // After a zoom there is another extent to keep.
+    ViewCamera closer = view.viewCamera();
+    closer.parallel_height = 0.5 * height;
+    view.setViewCamera(closer);
+    QVERIFY(std::abs(resize(450, 400) - height) < kRoundoff);
+  }
+
  private:
   [[nodiscard]] QImage picture() const {
     Shot shot;
