@@ -51,14 +51,15 @@ class Count {
 /// Rays of a receiver toward the directions above its horizon that `wanted` picks.
 template <class Wanted>
 void collectRays(const Receivers& r, std::size_t i, const Directions& directions,
-                 const Wanted& wanted, Scratch& s) {
+                 const Wanted& wanted, Scratch& s,
+                 float reach = std::numeric_limits<float>::infinity()) {
   s.which.clear();
   s.rays.clear();
   const vec3 origin = geometry::offsetOrigin(r.positions[i], r.facing[i]);
   for (std::uint32_t d = 0; d < directions.size(); ++d) {
     if (glm::dot(directions[d], r.facing[i]) <= 0.0F || !wanted(origin, directions[d])) continue;
     s.which.push_back(d);
-    s.rays.push_back({origin, 0.0F, directions[d]});
+    s.rays.push_back({origin, 0.0F, directions[d], reach});
   }
 }
 
@@ -150,7 +151,7 @@ bool dimAgain(const Surfaces& surfaces, std::span<const VisibilityFlags::Dimmed>
 }  // namespace
 
 Result<ShadowPass> traceShadows(const Surfaces& surfaces, const Receivers& receivers,
-                                const Directions& directions, const Job& job) {
+                                const Directions& directions, const Job& job, float reach) {
   ShadowPass pass{VisibilityFlags(receivers.size(), directions.size()), 0};
   const bool glass = surfaces.panes != nullptr;
   std::vector<std::vector<VisibilityFlags::Dimmed>> dimmed(glass ? receivers.size() : 0);
@@ -162,7 +163,7 @@ Result<ShadowPass> traceShadows(const Surfaces& surfaces, const Receivers& recei
     for (std::size_t i = begin; i < end && !job.cancelled(); ++i) {
       if (!receivers.standsForItself(i)) continue;
       collectRays(
-          receivers, i, directions, [](const vec3&, const vec3&) { return true; }, s);
+          receivers, i, directions, [](const vec3&, const vec3&) { return true; }, s, reach);
       traced += s.rays.size();
       setFlags(surfaces, i, s, pass.flags);
       if (glass) dimByGlass(surfaces, s, dimmed[i]);

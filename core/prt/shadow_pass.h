@@ -10,6 +10,7 @@
 #include "core/prt/visibility_flags.h"
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,9 +28,11 @@ struct ShadowPass {
 /// without a ray. Receivers that stand for another are left out. Sheets of glass in the way dim;
 /// what they mirror is left out.
 ///
+/// reach  m: what lies farther away blocks nothing, for lights in the room; else all of it does.
 /// Errors: cancelled (within about 0.1 s).
 Result<ShadowPass> traceShadows(const Surfaces& surfaces, const Receivers& receivers,
-                                const Directions& directions, const Job& job = {});
+                                const Directions& directions, const Job& job = {},
+                                float reach = std::numeric_limits<float>::infinity());
 
 struct ShadowUpdate {
   VisibilityFlags flags;
