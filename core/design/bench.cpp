@@ -4,12 +4,16 @@
 #include "core/design/shadow_rays.h"
 #include "core/design/surface_reading.h"
 #include "core/photometry/metrics.h"
+#include "core/prt/local_direct.h"
 #include "core/relight/lighting.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <span>
+#include <utility>
 
 namespace soffit::design {
 namespace {
@@ -51,7 +55,11 @@ class Measurement {
  public:
   Measurement(std::shared_ptr<const relight::Solver> solver, const scene::Scene& scene,
               const BenchCase& bench, std::size_t light)
-      : solver_(std::move(solver)), scene_(scene), bench_(bench), light_(light) {}
+      : solver_(std::move(solver)),
+        scene_(scene),
+        bench_(bench),
+        light_(light),
+        points_(toReceivers(bench.receivers)) {}
 
   Result<void> withEngine(const Job& job, BenchRow& row) {
     relight::Lighting all(solver_);
@@ -69,14 +77,75 @@ class Measurement {
     return timeMoves(all, job, row);
   }
 
-  Result<void> withShadowRays(int rays, const Job& job, BenchRow& row) {
+  Result<void> run(const BenchPoint& point, const Job& job, BenchRow& row) {
+    switch (point.method) {
+      case BenchMethod::bitmask:
+      case BenchMethod::nodes:
+        return withEngine(job, row);
+      case BenchMethod::shadow_rays:
+        return withDirect(shadowRays(point.rays), point.rays > 16, job, row);
+      case BenchMethod::harmonics:
+      case BenchMethod::cubes: {
+        prt::LocalOptions options;
+        options.bands = point.rays;
+        if (point.method == BenchMethod::cubes) options.method = prt::LocalMethod::cubes;
+        const auto way = byTransfer(options, job, row);
+        if (!way) return way.error();
+        return withDirect(*way, true, job, row);
+      }
+    }
+    return {};
+  }
+
+  /// Direct light another way than the engine's: at its texels, and at the bench's points.
+  struct DirectWay {
+    using Stage = std::function<std::uint64_t(const light::Emitter&, std::span<float> lux,
+                                              std::span<std::uint8_t> lit)>;  ///< returns rays
+    Stage texels;
+    Stage points;
+  };
+
+  [[nodiscard]] DirectWay shadowRays(int rays) const {
+    const auto stage = [this, rays](const light::Receivers& receivers) {
+      return [this, rays, &receivers](const light::Emitter& emitter, std::span<float> lux,
+                                      std::span<std::uint8_t> lit) {
+        return shadowRayIlluminance(emitter, receivers, solver_->scene().caster, rays, lux, lit);
+      };
+    };
+    return {stage(texels()), stage(points_)};
+  }
+
+  /// By a method of the founding papers; what it precomputes counts with the bake.
+  [[nodiscard]] Result<DirectWay> byTransfer(const prt::LocalOptions& options, const Job& job,
+                                             BenchRow& row) const {
+    const auto surfaces = prt::makeSurfaces(scene_.mesh, scene_.materials);
+    const auto start = std::chrono::steady_clock::now();
+    const auto at_texels = prt::LocalDirect::make(*surfaces, texels(), options, job);
+    if (!at_texels) return at_texels.error();
+    const auto passed = std::chrono::steady_clock::now() - start;
+    row.bake_s += std::chrono::duration<double>(passed).count();
+    row.bake_rays += (*at_texels)->rays();
+    row.operator_bytes += (*at_texels)->bytes();
+    const auto at_points = prt::LocalDirect::make(*surfaces, points_, options, job);
+    if (!at_points) return at_points.error();
+    const auto stage = [](std::shared_ptr<const prt::LocalDirect> method) {
+      return [method = std::move(method)](const light::Emitter& emitter, std::span<float> lux,
+                                          std::span<std::uint8_t> lit) {
+        method->illuminate(emitter, lux, lit);
+        return std::uint64_t{0};
+      };
+    };
+    return DirectWay{stage(*at_texels), stage(*at_points)};
+  }
+
+  Result<void> withDirect(const DirectWay& way, bool slow, const Job& job, BenchRow& row) {
     std::vector<relight::SensorLight> total(bench_.receivers.size());
     for (std::size_t i = 0; i < scene_.luminaires.size(); ++i) {
       if (job.cancelled()) return Error{"bench", "cancelled", ""};
       const auto emitter = light::makeEmitter(scene_.luminaires[i], scene_.mesh->origin);
       if (!emitter) return emitter.error();
       if (emitter->gain <= 0.0) continue;
-      const auto one = readWithRays(*emitter, rays);
+      const auto one = read(*emitter, way);
       for (std::size_t k = 0; k < total.size(); ++k) {
         total[k].direct += one[k].direct;
         total[k].indirect += one[k].indirect;
@@ -85,7 +154,7 @@ class Measurement {
     }
     row.total = figures(total, bench_.total);
     // Slow methods are timed at fewer places.
-    const std::size_t count = rays > 16 ? kMoves / 3 : kMoves;
+    const std::size_t count = slow ? kMoves / 3 : kMoves;
     std::vector<relight::StageTimes> times;
     relight::Planes sum;
     for (std::size_t i = 0; i < count + 1; ++i) {
@@ -94,7 +163,7 @@ class Measurement {
       if (!emitter) return emitter.error();
       relight::StageTimes t;
       relight::Column column;
-      row.rays = rayColumn(*emitter, rays, column, &t);
+      row.rays = columnOf(*emitter, way, column, &t);
       const auto start = std::chrono::steady_clock::now();
       const relight::WeightedColumn own{&column, emitter->gain * emitter->color};
       relight::spread({}, {&own, 1}, solver_->operators(), sum);
@@ -174,15 +243,17 @@ class Measurement {
     return {};
   }
 
-  /// Direct light at all texels by rays and the bounces of it; returns the rays.
-  std::uint64_t rayColumn(const light::Emitter& emitter, int rays, relight::Column& column,
-                          relight::StageTimes* times) const {
-    const light::Receivers& points = solver_->operators().texels.receivers;
-    column.direct.resize(points.slotCount());
-    column.lit.resize(points.clusters.size());
+  [[nodiscard]] const light::Receivers& texels() const {
+    return solver_->operators().texels.receivers;
+  }
+
+  /// Direct light at all texels and the bounces of it; returns the rays.
+  std::uint64_t columnOf(const light::Emitter& emitter, const DirectWay& way,
+                         relight::Column& column, relight::StageTimes* times) const {
+    column.direct.resize(texels().slotCount());
+    column.lit.resize(texels().clusters.size());
     const auto start = std::chrono::steady_clock::now();
-    const std::uint64_t traced = shadowRayIlluminance(emitter, points, solver_->scene().caster,
-                                                      rays, column.direct, column.lit);
+    const std::uint64_t traced = way.texels(emitter, column.direct, column.lit);
     if (times != nullptr) {
       const auto passed = std::chrono::steady_clock::now() - start;
       times->direct = std::chrono::duration<double, std::milli>(passed).count();
@@ -191,23 +262,22 @@ class Measurement {
     return traced;
   }
 
-  [[nodiscard]] std::vector<relight::SensorLight> readWithRays(const light::Emitter& emitter,
-                                                               int rays) const {
+  [[nodiscard]] std::vector<relight::SensorLight> read(const light::Emitter& emitter,
+                                                       const DirectWay& way) const {
     relight::Column column;
-    rayColumn(emitter, rays, column, nullptr);
+    columnOf(emitter, way, column, nullptr);
     column.direct.clear();
     relight::Planes indirect;
     const dvec3 weight = emitter.gain * emitter.color;
     const relight::WeightedColumn own{&column, weight};
     relight::spread({}, {&own, 1}, solver_->operators(), indirect, relight::LightPart::reflected);
     const auto bounced = interpolateAt(solver_->operators().texels, indirect, bench_.receivers);
-    const light::Receivers points = toReceivers(bench_.receivers);
-    std::vector<float> direct(points.slotCount());
-    std::vector<std::uint8_t> lit(points.clusters.size());
-    shadowRayIlluminance(emitter, points, solver_->scene().caster, rays, direct, lit);
+    std::vector<float> direct(points_.slotCount());
+    std::vector<std::uint8_t> lit(points_.clusters.size());
+    way.points(emitter, direct, lit);
     std::vector<relight::SensorLight> out(bench_.receivers.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
-      out[i] = {weight * static_cast<double>(direct[points.slot_of[i]]), bounced[i]};
+      out[i] = {weight * static_cast<double>(direct[points_.slot_of[i]]), bounced[i]};
     }
     return out;
   }
@@ -216,6 +286,7 @@ class Measurement {
   const scene::Scene& scene_;
   const BenchCase& bench_;
   std::size_t light_;
+  light::Receivers points_;  ///< the bench's
 };
 
 }  // namespace
@@ -257,9 +328,7 @@ Result<BenchRow> measureBench(const BenchPoint& point, const BenchEngine& engine
                  "Choose another folder with -o."};
   }
   Measurement measurement(nodes ? engine.coarse : engine.solver, scene, bench, light);
-  const auto done = point.method == BenchMethod::shadow_rays
-                        ? measurement.withShadowRays(point.rays, job, row)
-                        : measurement.withEngine(job, row);
+  const auto done = measurement.run(point, job, row);
   if (!done) return done.error();
   return row;
 }

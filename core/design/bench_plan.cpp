@@ -34,6 +34,10 @@ std::string BenchPoint::methodName() const {
       return "nodes";
     case BenchMethod::shadow_rays:
       return fmt::format("shadow-rays-{}", rays);
+    case BenchMethod::harmonics:
+      return fmt::format("harmonics-{}", rays);
+    case BenchMethod::cubes:
+      return fmt::format("cubes-{}", rays);
   }
   return "bitmask";
 }
@@ -50,6 +54,14 @@ std::vector<BenchStep> benchPlan() {
   plan[0].points.push_back({BenchMethod::nodes, 0, plan[0].quality});
   for (const int rays : {64, 16, 4, 256}) {
     plan[0].points.push_back({BenchMethod::shadow_rays, rays, plan[0].quality});
+  }
+  for (const auto& [method, bands] : {std::pair(BenchMethod::harmonics, 5),
+                                      {BenchMethod::cubes, 5},
+                                      {BenchMethod::harmonics, 3},
+                                      {BenchMethod::harmonics, 8},
+                                      {BenchMethod::cubes, 3},
+                                      {BenchMethod::cubes, 8}}) {
+    plan[0].points.push_back({method, bands, plan[0].quality});
   }
   plan.push_back(preset("draft"));
   plan.push_back(changed("texels", 25000));

@@ -13,15 +13,17 @@ enum class BenchMethod {
   bitmask,      ///< the engine: exact direct light by bitmasks, operators for all bounces
   nodes,        ///< its first usable result: bitmask direct light, bounces at node level alone
   shadow_rays,  ///< the engine's bounces, direct light by shadow rays
+  harmonics,    ///< the engine's bounces, direct light by light coefficients times transfer vectors
+  cubes,        ///< the same by dynamic cube maps at probes
 };
 
 /// One point of the sweep.
 struct BenchPoint {
   BenchMethod method = BenchMethod::bitmask;
-  int rays = 0;  ///< per point, shadow_rays only
+  int rays = 0;  ///< per point, shadow_rays only; bands of harmonics and cubes
   scene::Quality quality;
 
-  /// "bitmask", "nodes", "shadow-rays-64".
+  /// "bitmask", "nodes", "shadow-rays-64", "harmonics-5", "cubes-5".
   [[nodiscard]] std::string methodName() const;
   /// "interactive", or "interactive+list_rays=32" for a preset with changes.
   [[nodiscard]] std::string settingsName() const;

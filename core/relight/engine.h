@@ -8,8 +8,10 @@
 #include "core/scene/scene.h"
 #include "core/transfer/operators.h"
 
+#include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +23,24 @@ namespace soffit::relight {
 struct QualitySettings {
   transfer::BakeSettings bake;
   int sensor_rays = 64;  ///< squared: gather rays per sensor
+  /// Direct light at the texels by a method of the founding papers; nothing: exactly. Setting
+  /// "direct": exact, harmonics or cubes; its numbers bands, directions, reach, cube_side.
+  std::optional<prt::LocalOptions> local;
 };
+
+/// A setting's name, in what range it lies, what it is at a quality, and whether it is whole.
+struct SettingInfo {
+  std::string name;
+  double lowest = 0.0;
+  double highest = 0.0;
+  double value = 0.0;
+  bool whole = false;
+  bool of_method = false;  ///< matters with another direct method than the exact one alone
+};
+/// All settings that are numbers, as they are at a quality. Errors: qualitySettings()'s.
+Result<std::vector<SettingInfo>> listSettings(const scene::Quality& quality);
+/// Names that "direct" takes, the usual one first.
+inline constexpr std::array<const char*, 3> kDirectMethods{"exact", "harmonics", "cubes"};
 
 /// Errors: an unknown preset or setting, a value out of its range.
 Result<QualitySettings> qualitySettings(const scene::Quality& quality);

@@ -63,6 +63,14 @@ void Solver::setMaterials(std::span<const scene::Material> materials) {
 void Solver::direct(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies,
                     Column& column, light::DirectCounts* counts, StageTimes* times) const {
   Lap lap;
+  if (local_) {
+    const light::Receivers& receivers = operators_->texels.receivers;
+    column.direct.resize(receivers.slotCount());
+    column.lit.resize(receivers.clusters.size());
+    local_->illuminate(emitter, column.direct, column.lit);
+    if (times != nullptr) times->direct += lap.ms();
+    return;
+  }
   std::vector<float> lux(shadow_groups_.points.slotCount());
   std::vector<std::uint8_t> lit(shadow_groups_.points.clusters.size());
   directLight(*scene_, light::PreparedLight(emitter), shadow_groups_.points, bodies, lux, lit,
@@ -74,6 +82,7 @@ void Solver::direct(const light::Emitter& emitter, std::span<const light::MaskBl
 void Solver::directAgain(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies,
                          std::span<const Box> changed, Column& column, light::DirectCounts* counts,
                          StageTimes* times) const {
+  if (local_) return;  // bodies do not shade
   Lap lap;
   const light::Receivers& points = shadow_groups_.points;
   std::vector<float> lux(points.slotCount());

@@ -5,6 +5,7 @@
 #include "core/daylight/environment.h"
 #include "core/daylight/open_sky.h"
 #include "core/light/direct_stage.h"
+#include "core/prt/local_direct.h"
 #include "core/relight/column.h"
 #include "core/relight/reflectance.h"
 #include "core/transfer/far_blocks.h"
@@ -62,6 +63,11 @@ class Solver {
     painted->setMaterials(materials);
     return painted;
   }
+
+  /// Direct light of luminaires by another method from now on, made for the texels' receivers;
+  /// null: exactly. Luminaires' bodies shade with the exact method alone.
+  void useDirect(std::shared_ptr<const prt::LocalDirect> method) { local_ = std::move(method); }
+  [[nodiscard]] const prt::LocalDirect* directMethod() const { return local_.get(); }
 
   /// Direct light of an emitter on all texels; bodies: blockers of all other luminaires' bodies.
   void direct(const light::Emitter& emitter, std::span<const light::MaskBlocker> bodies,
@@ -129,10 +135,11 @@ class Solver {
   transfer::ShadowGroups shadow_groups_;
   transfer::FarBlocks blocks_;
   Reflectances reflectances_;
-  std::optional<transfer::NodeSolver> nodes_;  ///< none without nodes
-  transfer::PatchWeights patch_weights_;       ///< none before there are weights
-  std::vector<std::uint32_t> first_patch_;     ///< per cluster, then the end
-  std::vector<vec3> sends_moment_;             ///< per patch: sum sends phi of its functions
+  std::optional<transfer::NodeSolver> nodes_;      ///< none without nodes
+  transfer::PatchWeights patch_weights_;           ///< none before there are weights
+  std::vector<std::uint32_t> first_patch_;         ///< per cluster, then the end
+  std::vector<vec3> sends_moment_;                 ///< per patch: sum sends phi of its functions
+  std::shared_ptr<const prt::LocalDirect> local_;  ///< null: direct light is exact
   std::shared_ptr<Sky> sky_ = std::make_shared<Sky>();
 };
 

@@ -170,6 +170,14 @@
         <source>making receivers</source>
         <translation>Empfangspunkte setzen</translation>
     </message>
+    <message>
+        <source>shadows for direct light</source>
+        <translation>Schatten für direktes Licht</translation>
+    </message>
+    <message>
+        <source>shadow pass</source>
+        <translation>Schattendurchgang</translation>
+    </message>
 </context>
 <context>
     <name>DragSession</name>
@@ -659,6 +667,114 @@
         <source>%1, suspended</source>
         <translation>%1, Pendel</translation>
     </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Where light is computed and sent on</source>
+        <translation>Wo Licht berechnet und weitergegeben wird</translation>
+    </message>
+    <message>
+        <source>Least distance of points, m</source>
+        <translation>Kleinster Punktabstand, m</translation>
+    </message>
+    <message>
+        <source>Greatest distance of points, m</source>
+        <translation>Größter Punktabstand, m</translation>
+    </message>
+    <message>
+        <source>Large buildings get up to four times as many points for it</source>
+        <translation>Große Gebäude erhalten dafür bis zu viermal so viele Punkte</translation>
+    </message>
+    <message>
+        <source>Points per patch</source>
+        <translation>Punkte je Fläche</translation>
+    </message>
+    <message>
+        <source>Further reflections go from patch to patch</source>
+        <translation>Weitere Reflexionen gehen von Fläche zu Fläche</translation>
+    </message>
+    <message>
+        <source>Rays per point between patches, squared</source>
+        <translation>Strahlen je Punkt zwischen Flächen, zum Quadrat</translation>
+    </message>
+    <message>
+        <source>Training lights</source>
+        <translation>Übungsleuchten</translation>
+    </message>
+    <message>
+        <source>From them the program learns where light differs</source>
+        <translation>An ihnen lernt das Programm, wo sich Licht unterscheidet</translation>
+    </message>
+    <message>
+        <source>Rays per point and training, squared</source>
+        <translation>Strahlen je Punkt und Übung, zum Quadrat</translation>
+    </message>
+    <message>
+        <source>Rays per gather point, squared</source>
+        <translation>Strahlen je Sammelpunkt, zum Quadrat</translation>
+    </message>
+    <message>
+        <source>Noise of the first reflection</source>
+        <translation>Rauschen der ersten Reflexion</translation>
+    </message>
+    <message>
+        <source>Gather points per group, at most</source>
+        <translation>Sammelpunkte je Gruppe, höchstens</translation>
+    </message>
+    <message>
+        <source>Gather points per point, at most</source>
+        <translation>Sammelpunkte je Punkt, höchstens</translation>
+    </message>
+    <message>
+        <source>What a gather point must tell</source>
+        <translation>Was ein Sammelpunkt beitragen muss</translation>
+    </message>
+    <message>
+        <source>One that tells less than this share of the mean is left out</source>
+        <translation>Wer weniger als diesen Anteil des Mittels beiträgt, entfällt</translation>
+    </message>
+    <message>
+        <source>Rays per calculation point, squared</source>
+        <translation>Strahlen je Berechnungspunkt, zum Quadrat</translation>
+    </message>
+    <message>
+        <source>Noise of values on work planes</source>
+        <translation>Rauschen der Werte auf Nutzebenen</translation>
+    </message>
+    <message>
+        <source>Bands of harmonics</source>
+        <translation>Bänder der Kugelfunktionen</translation>
+    </message>
+    <message>
+        <source>Sharper shadows and more ringing with more</source>
+        <translation>Mehr: schärfere Schatten, mehr Überschwingen</translation>
+    </message>
+    <message>
+        <source>Directions of shadows</source>
+        <translation>Richtungen der Schatten</translation>
+    </message>
+    <message>
+        <source>Rays per point, harmonics alone</source>
+        <translation>Strahlen je Punkt, nur Kugelfunktionen</translation>
+    </message>
+    <message>
+        <source>Reach of shadows, m</source>
+        <translation>Reichweite der Schatten, m</translation>
+    </message>
+    <message>
+        <source>What lies farther from a point does not shade it, harmonics alone</source>
+        <translation>Was weiter von einem Punkt entfernt ist, verschattet ihn nicht; nur Kugelfunktionen</translation>
+    </message>
+    <message>
+        <source>Texels along a cube&apos;s edge</source>
+        <translation>Texel je Würfelkante</translation>
+    </message>
+    <message>
+        <source>Cube maps alone</source>
+        <translation>Nur Würfelbilder</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::AboutDialog</name>
@@ -705,6 +821,41 @@
     <message>
         <source>&amp;Copy the versions</source>
         <translation>Versionen &amp;kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::AdvancedQuality</name>
+    <message>
+        <source>Harmonics times transfer</source>
+        <translation>Kugelfunktionen mal Transfer</translation>
+    </message>
+    <message>
+        <source>Dynamic cube maps</source>
+        <translation>Bewegte Würfelbilder</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exakt</translation>
+    </message>
+    <message>
+        <source>Advanced quality</source>
+        <translation>Qualität im Einzelnen</translation>
+    </message>
+    <message>
+        <source>How the direct light of luminaires is computed in the view. The exact method is faster and nearer to the truth; the others are those of the founding papers, to compare.</source>
+        <translation>Wie das direkte Licht der Leuchten in der Ansicht berechnet wird. Das exakte Verfahren ist schneller und näher an der Wahrheit; die anderen sind die der Grundlagenarbeiten, zum Vergleich.</translation>
+    </message>
+    <message>
+        <source>Direct light</source>
+        <translation>Direktes Licht</translation>
+    </message>
+    <message>
+        <source>%1 to %2, preset %3</source>
+        <translation>%1 bis %2, Vorgabe %3</translation>
+    </message>
+    <message>
+        <source>Changes are precomputed in the background. What differs from the preset is bold.</source>
+        <translation>Änderungen werden im Hintergrund vorberechnet. Was von der Vorgabe abweicht, ist fett.</translation>
     </message>
 </context>
 <context>
@@ -3499,6 +3650,14 @@
     <message>
         <source>none</source>
         <translation>keines</translation>
+    </message>
+    <message>
+        <source>Advanced…</source>
+        <translation>Erweitert…</translation>
+    </message>
+    <message>
+        <source>Every single setting, and the methods of the founding papers</source>
+        <translation>Jede einzelne Einstellung und die Verfahren der Grundlagenarbeiten</translation>
     </message>
 </context>
 <context>

@@ -38,7 +38,7 @@ const std::map<std::string, std::set<std::string>> kLeftOf{
     {"core/reference", {"core/daylight"}},
     {"core/prt", {"core/transfer"}},
     {"core/glossy", {"core/transfer"}},
-    {"core/relight", {"core/glossy"}},
+    {"core/relight", {"core/glossy", "core/prt"}},
     {"core/design", {"core/render", "core/reference", "core/prt"}},
     {"core/render", {"core/relight"}},
     {"core/io", {"core/relight"}},

@@ -4,12 +4,16 @@
 #include "core/scene/demand.h"
 #include "ui/document/core_words.h"
 #include "ui/document/text.h"
+#include "ui/panels/advanced_quality.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include <algorithm>
@@ -39,6 +43,10 @@ QualityPanel::QualityPanel(QWidget* parent)
   preset_->addItem(tr("Draft: quick to precompute"), QString::fromLatin1(kPresets[0]));
   preset_->addItem(tr("Interactive"), QString::fromLatin1(kPresets[1]));
   preset_->addItem(tr("Final: finer, slower to update"), QString::fromLatin1(kPresets[2]));
+  // The names do not widen the dock; the list that opens has room for them.
+  preset_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  preset_->setMinimumContentsLength(8);
+  preset_->view()->setMinimumWidth(preset_->view()->sizeHintForColumn(0) + 24);
   preset_->setToolTip(
       tr("How finely light is precomputed. Another quality is precomputed in the background."));
   own_->setWordWrap(true);
@@ -85,8 +93,16 @@ QualityPanel::QualityPanel(QWidget* parent)
       tr("Found exactly at rest; mixed from smooth skies while a slider is held"));
   needed_ = section(tr("Computed"));
   skipped_ = section(tr("Not needed here"));
+  auto* advanced = new QToolButton;
+  advanced->setText(tr("Advanced\u2026"));
+  advanced->setToolTip(tr("Every single setting, and the methods of the founding papers"));
+  advanced->setObjectName(QStringLiteral("advanced_quality"));
+  connect(advanced, &QToolButton::clicked, this, &QualityPanel::openAdvanced);
   auto* form = new QFormLayout(this);
-  form->addRow(tr("Quality"), preset_);
+  auto* quality_row = new QHBoxLayout;
+  quality_row->addWidget(preset_, 1);
+  quality_row->addWidget(advanced);
+  form->addRow(tr("Quality"), quality_row);
   form->addRow(own_);
   form->addRow(figures_);
   connect(preset_, &QComboBox::activated, this,
@@ -122,6 +138,9 @@ void QualityPanel::showProject() {
   const scene::Quality& quality = document_->scene()->quality;
   preset_->setCurrentIndex(std::max(0, preset_->findData(toQt(quality.preset))));
   QStringList own;
+  for (const auto& [name, value] : quality.methods) {
+    own.append(QStringLiteral("%1 = %2").arg(toQt(name), toQt(value)));
+  }
   for (const auto& [name, value] : quality.settings) {
     own.append(QStringLiteral("%1 = %2").arg(toQt(name)).arg(value));
   }
@@ -144,11 +163,26 @@ void QualityPanel::showProject() {
   }
 }
 
-void QualityPanel::choose(const QString& preset) {
+void QualityPanel::setQuality(const scene::Quality& quality) {
   if (document_ == nullptr) return;
   scene::Scene next = *document_->scene();
-  next.quality.preset = toStd(preset);
+  next.quality = quality;
   document_->edit(tr("Quality"), std::move(next));
+}
+
+void QualityPanel::openAdvanced() {
+  if (document_ == nullptr) return;
+  auto* dialog = new AdvancedQuality(document_->scene()->quality, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] { setQuality(dialog->quality()); });
+  dialog->open();
+}
+
+void QualityPanel::choose(const QString& preset) {
+  if (document_ == nullptr) return;
+  scene::Quality quality = document_->scene()->quality;
+  quality.preset = toStd(preset);
+  setQuality(quality);
 }
 
 void QualityPanel::showFrame(const LightFrame& frame) {

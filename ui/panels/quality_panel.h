@@ -28,6 +28,8 @@ class QualityPanel : public QWidget {
  private:
   void showProject();
   void choose(const QString& preset);
+  void setQuality(const scene::Quality& quality);
+  void openAdvanced();
   QTreeWidgetItem* row(QTreeWidgetItem* section, const QString& what, const QString& hint);
 
   QPointer<Document> document_;

@@ -85,6 +85,85 @@ scene::Scene smallScene() {
   return scene;
 }
 
+TEST(QualitySettings, TakeAMethodOfDirectLightWithItsNumbers) {
+  scene::Quality quality;
+  EXPECT_FALSE(qualitySettings(quality)->local);
+  quality.methods["direct"] = "exact";
+  EXPECT_FALSE(qualitySettings(quality)->local);
+  quality.methods["direct"] = "cubes";
+  quality.settings = {{"bands", 7}, {"cube_side", 24}};
+  const auto cubes = qualitySettings(quality);
+  ASSERT_TRUE(cubes.ok());
+  ASSERT_TRUE(cubes->local);
+  EXPECT_EQ(cubes->local->method, prt::LocalMethod::cubes);
+  EXPECT_EQ(cubes->local->bands, 7);
+  EXPECT_EQ(cubes->local->cube_side, 24);
+  quality.methods["direct"] = "magic";
+  const auto unknown = qualitySettings(quality);
+  ASSERT_FALSE(unknown.ok());
+  EXPECT_EQ(
+      unknown.error().message(),
+      "quality.direct: there is no method \"magic\". Choose one of: exact, harmonics, cubes.");
+  quality.methods = {{"texels", "many"}};
+  const auto text = qualitySettings(quality);
+  ASSERT_FALSE(text.ok());
+  EXPECT_EQ(text.error().place, "quality.texels");
+  EXPECT_EQ(text.error().what, "expected a number, found \"many\"");
+}
+
+TEST(QualitySettings, ListSaysWhatEachIs) {
+  scene::Quality quality;
+  quality.preset = "draft";
+  quality.methods["direct"] = "harmonics";
+  quality.settings["reach"] = 2.5;
+  const auto list = listSettings(quality);
+  ASSERT_TRUE(list.ok());
+  const auto named = [&](const std::string& name) {
+    return *std::find_if(list->begin(), list->end(),
+                         [&](const SettingInfo& s) { return s.name == name; });
+  };
+  EXPECT_EQ(named("texels").value, 16000.0);
+  EXPECT_TRUE(named("texels").whole);
+  EXPECT_FALSE(named("texels").of_method);
+  EXPECT_EQ(named("reach").value, 2.5);
+  EXPECT_TRUE(named("reach").of_method);
+  EXPECT_FALSE(named("reach").whole);
+}
+
+// The papers' methods light the same room: within what their few bands resolve.
+TEST(MakeSolver, OtherMethodsOfDirectLightComeNearTheExactOne) {
+  scene::Scene scene = smallScene();
+  scene.quality.settings = {{"texels", 1500},  {"trainings", 8}, {"field_rays", 8},
+                            {"list_rays", 16}, {"node_rays", 4}, {"max_rank", 8}};
+  const auto light = [&](const char* method) {
+    scene.quality.methods["direct"] = method;
+    EngineReport report;
+    const auto solver = makeSolver(scene, *qualitySettings(scene.quality), false, {}, report);
+    EXPECT_TRUE(solver.ok());
+    Lighting lighting(*solver);
+    EXPECT_TRUE(lighting.setLuminaires(scene.luminaires).ok());
+    return std::pair(lighting.total()[1], *solver);
+  };
+  const auto [exact, solver] = light("exact");
+  const std::vector<float>& area = solver->operators().area;
+  for (const char* method : {"harmonics", "cubes"}) {
+    const auto [found, other] = light(method);
+    ASSERT_NE(other->directMethod(), nullptr);
+    double sum = 0.0;
+    double mean = 0.0;
+    double whole = 0.0;
+    for (std::size_t s = 0; s < exact.size(); ++s) {
+      const double a = area[s];
+      sum += a * std::pow(double{found[s]} - exact[s], 2);
+      mean += a * exact[s];
+      whole += a;
+    }
+    const double rms = std::sqrt(sum / whole) / (mean / whole);
+    EXPECT_LT(rms, 0.5) << method;
+    EXPECT_GT(rms, 1e-4) << method << " is another method";
+  }
+}
+
 TEST(MakeSolver, CanBeCancelled) {
   std::stop_source stop;
   stop.request_stop();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/photometry/ies_writer.h"
 #include "ui/document/synthetic_photometry.h"
+#include "ui/panels/advanced_quality.h"
 #include "ui/panels/library_panel.h"
 #include "ui/panels/lights_model.h"
 #include "ui/panels/materials_panel.h"
@@ -9,6 +10,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QListWidget>
@@ -22,6 +24,7 @@
 #include <QTreeWidget>
 
 #include <algorithm>
+#include <cmath>
 
 namespace soffit::ui {
 
@@ -85,6 +88,36 @@ class PanelsTest : public QObject {
     document.undoStack()->undo();
     QCOMPARE(document.scene()->quality.preset, std::string("interactive"));
     QCOMPARE(preset->currentData().toString(), QStringLiteral("interactive"));
+  }
+
+  void everySettingOfTheQualityCanBeChangedAndIsKeptWhenItDiffers() {
+    scene::Quality quality;
+    quality.preset = "draft";
+    quality.settings["max_rank"] = 20;
+    AdvancedQuality dialog(quality);
+    QVERIFY(dialog.quality().settings == quality.settings);
+    QVERIFY(dialog.quality().methods.empty());
+    const auto list = relight::listSettings(quality);
+    for (const relight::SettingInfo& info : *list) {
+      auto* box = dialog.findChild<QDoubleSpinBox*>(QString::fromStdString(info.name));
+      QVERIFY2(box != nullptr, info.name.c_str());
+      QVERIFY(std::abs(box->value() - info.value) < 1e-5);
+      QCOMPARE(box->isVisibleTo(&dialog), !info.of_method);
+    }
+    dialog.findChild<QDoubleSpinBox*>(QStringLiteral("texels"))->setValue(9000);
+    auto* direct = dialog.findChild<QComboBox*>(QStringLiteral("direct_method"));
+    direct->setCurrentIndex(direct->findData(QStringLiteral("cubes")));
+    dialog.findChild<QDoubleSpinBox*>(QStringLiteral("bands"))->setValue(7);
+    const scene::Quality found = dialog.quality();
+    QCOMPARE(found.preset, std::string("draft"));
+    QCOMPARE(found.settings.size(), std::size_t{3});
+    QCOMPARE(found.settings.at("texels"), 9000.0);
+    QCOMPARE(found.settings.at("bands"), 7.0);
+    QCOMPARE(found.methods.at("direct"), std::string("cubes"));
+    QVERIFY(relight::qualitySettings(found).ok());
+    // Numbers of a method that is not chosen are no part of the project.
+    direct->setCurrentIndex(0);
+    QVERIFY(!dialog.quality().settings.contains("bands"));
   }
 
   void qualitySaysWhatTheProjectDoesWithout() {
