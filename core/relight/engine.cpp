@@ -73,6 +73,7 @@ Result<void> readMethods(const scene::Quality& quality, QualitySettings& q) {
 /// m. With cells of 44 cm a house of 6,000 m^2 of surfaces had black bands under its ceilings; with
 /// four times the points a move takes 47 ms there.
 constexpr double kMostCell = 0.2;
+constexpr double kMostDraftCell = 0.4;
 
 /// Places that are known to lie in rooms.
 std::vector<vec3> insideOf(const scene::Scene& scene) {
@@ -108,7 +109,9 @@ Result<QualitySettings> qualitySettings(const scene::Quality& quality) {
   }
   if (const auto read = readMethods(quality, q); !read) return read.error();
   // A number of texels that somebody asked for is what they get.
-  if (!quality.settings.contains("texels")) q.bake.most_cell = kMostCell;
+  if (!quality.settings.contains("texels")) {
+    q.bake.most_cell = quality.preset == "draft" ? kMostDraftCell : kMostCell;
+  }
   prt::LocalOptions unused;
   const std::vector<Setting> known = settingsOf(q, q.local ? *q.local : unused);
   for (const auto& [name, value] : quality.settings) {

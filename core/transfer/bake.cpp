@@ -46,9 +46,12 @@ Texels layTexels(const StaticScene& scene, const BakeSettings& settings) {
   double cell = cellFor(settings.whole_cells);
   const double most = std::max(settings.most_cell, least);
   if (cell > most) {
-    count = static_cast<std::size_t>(static_cast<double>(count) *
-                                     std::min(4.0, (cell / most) * (cell / most)));
-    cell = cellFor(settings.whole_cells);
+    // As many as such cells take. Not by the ratio of areas: thousands of small faces, each with a
+    // texel of its own, make cells for the rest that are far larger than they need be.
+    const std::size_t cells = makeTexels(*scene.mesh, scene.sides, most, nullptr).texelCount();
+    const auto wanted = static_cast<std::size_t>(static_cast<double>(cells) / settings.whole_cells);
+    count = std::clamp(wanted, count, 4 * count);
+    cell = std::max(most, cellFor(settings.whole_cells));
   }
   Texels texels = makeTexels(*scene.mesh, scene.sides, cell, &scene.caster, count, &useful);
   const double share = 1.0 - 1.3 * static_cast<double>(useful) / static_cast<double>(count);

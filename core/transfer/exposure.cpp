@@ -4,7 +4,7 @@
 #include "core/math/sampling.h"
 
 #include <algorithm>
-#include <limits>
+#include <array>
 #include <vector>
 
 namespace soffit::transfer {
@@ -32,16 +32,41 @@ Cover coverOf(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
   return hit.t < gap ? Cover::gap : Cover::none;
 }
 
+bool liesInMatter(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
+                  const geometry::RayCaster& caster, const vec3& p, const vec3& n) {
+  constexpr int kRays = 8;
+  constexpr int kMostInside = 3;  // at a foot, or just under an edge, some do
+  vec3 t;
+  vec3 b;
+  orthonormalBasis(n, t, b);
+  const vec3 origin = geometry::offsetOrigin(p, n);
+  int inside = 0;
+  for (int k = 0; k < kRays; ++k) {
+    const vec3 d = cosineHemisphere((static_cast<float>(k % 4) + 0.37F) / 4.0F,
+                                    (static_cast<float>(k / 4) + 0.59F) / 2.0F);
+    const vec3 direction = d.x * t + d.y * b + d.z * n;
+    const geometry::Hit hit = caster.closest({origin, 0.0F, direction});
+    if (hit.valid() && meetsInside(mesh, sides, hit.triangle, direction)) ++inside;
+  }
+  return inside > kMostInside;
+}
+
 SurfacePlace exposedPart(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
                          const geometry::RayCaster& caster, const Charts& charts,
                          const Chart& chart, const SurfacePlace& whole, const vec3& n, float gap) {
   constexpr std::uint32_t kMost = 16;
   const Cover own = coverOf(mesh, sides, caster, whole.point, n, gap);
+  const auto inMatter = [&](const vec3& p) { return liesInMatter(mesh, sides, caster, p, n); };
   std::vector<SurfacePlace> open;
   double all = 0.0;
   double exposed = 0.0;
   dvec3 center(0.0);
   const std::uint32_t step = std::max(1U, chart.triangle_count / kMost);
+  // Few long triangles are seen at more than their middle: part of a rim may run through matter.
+  constexpr std::array<vec3, 4> kPlaces{vec3(1.0F / 3.0F), vec3(0.7F, 0.15F, 0.15F),
+                                        vec3(0.15F, 0.7F, 0.15F), vec3(0.15F, 0.15F, 0.7F)};
+  const std::span<const vec3> shares =
+      std::span(kPlaces).first(chart.triangle_count <= kMost / 2 ? kPlaces.size() : 1);
   for (std::uint32_t k = 0; k < chart.triangle_count; k += step) {
     SurfacePlace place;
     place.triangle = charts.triangles[chart.first_triangle + k];
@@ -49,14 +74,17 @@ SurfacePlace exposedPart(const geometry::Mesh& mesh, std::span<const std::uint8_
     const vec3& a = mesh.positions[i.x];
     const vec3& b = mesh.positions[i.y];
     const vec3& c = mesh.positions[i.z];
-    place.point = (a + b + c) / 3.0F;
-    place.area = 0.5 * static_cast<double>(glm::length(glm::cross(b - a, c - a)));
-    all += place.area;
-    const Cover cover = coverOf(mesh, sides, caster, place.point, n, gap);
-    if (cover == Cover::matter || (cover == Cover::gap && own == Cover::none)) continue;
-    exposed += place.area;
-    center += place.area * dvec3(place.point);
-    open.push_back(place);
+    const double area = 0.5 * static_cast<double>(glm::length(glm::cross(b - a, c - a)));
+    place.area = area / static_cast<double>(shares.size());
+    for (const vec3& share : shares) {
+      place.point = share.x * a + share.y * b + share.z * c;
+      all += place.area;
+      const Cover cover = coverOf(mesh, sides, caster, place.point, n, gap);
+      if (cover == Cover::matter || (cover == Cover::gap && own == Cover::none)) continue;
+      exposed += place.area;
+      center += place.area * dvec3(place.point);
+      open.push_back(place);
+    }
   }
   SurfacePlace out = whole;
   if (open.empty() || exposed <= 0.0) {
@@ -64,17 +92,21 @@ SurfacePlace exposedPart(const geometry::Mesh& mesh, std::span<const std::uint8_
     if (own == Cover::matter) out.area = 0.0;
     return out;
   }
-  if (exposed >= all && own != Cover::matter) return out;
+  if (exposed >= all && own != Cover::matter && !inMatter(whole.point)) return out;
   center /= exposed;
   out.area = whole.area * exposed / all;
-  double best = std::numeric_limits<double>::max();
-  for (const SurfacePlace& s : open) {
+  const auto fromCenter = [&](const SurfacePlace& s) {
     const dvec3 d = dvec3(s.point) - center;
-    if (glm::dot(d, d) >= best) continue;
-    best = glm::dot(d, d);
-    out.point = s.point;
-    out.triangle = s.triangle;
-  }
+    return glm::dot(d, d);
+  };
+  std::stable_sort(open.begin(), open.end(), [&](const SurfacePlace& x, const SurfacePlace& y) {
+    return fromCenter(x) < fromCenter(y);
+  });
+  auto best = std::find_if_not(open.begin(), open.end(),
+                               [&](const SurfacePlace& s) { return inMatter(s.point); });
+  if (best == open.end()) best = open.begin();
+  out.point = best->point;
+  out.triangle = best->triangle;
   return out;
 }
 

@@ -26,6 +26,12 @@ enum class Cover : std::uint8_t {
 Cover coverOf(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
               const geometry::RayCaster& caster, const vec3& p, const vec3& n, float gap);
 
+/// Whether several rays about n from a point meet the inside of solids. One ray along the normal
+/// may be mistaken: of a post that stands on a plate and runs into its arm it meets the arm's
+/// outside.
+bool liesInMatter(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
+                  const geometry::RayCaster& caster, const vec3& p, const vec3& n);
+
 /// A place on a surface and the area that it stands for.
 struct SurfacePlace {
   vec3 point{0.0F};
@@ -34,8 +40,9 @@ struct SurfacePlace {
 };
 
 /// Reduces a curved chart's place to the part that no matter covers (and, when the place is in the
-/// open, that reaches into no gap), told by the centres of at most 16 of its triangles. Light
-/// arrives at and leaves from that part alone. A chart that is covered whole gets area 0.
+/// open, that reaches into no gap), told by places on at most 16 of its triangles. Light
+/// arrives at and leaves from that part alone. A chart that is covered whole gets area 0. Of the
+/// places that may stand for it the nearest to its middle that does not lie in matter is taken.
 ///
 /// n  unit normal of the side.   gap  m.
 SurfacePlace exposedPart(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,

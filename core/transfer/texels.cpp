@@ -42,6 +42,9 @@ struct CoverProbe {
   [[nodiscard]] Cover at(const vec3& p) const {
     return caster == nullptr ? Cover::none : coverOf(mesh, sides, *caster, p, n, gap);
   }
+  [[nodiscard]] bool inMatter(const vec3& p) const {
+    return caster != nullptr && liesInMatter(mesh, sides, *caster, p, n);
+  }
 };
 
 /// Exposed cells of a texel under way.
@@ -61,7 +64,8 @@ class CellSum {
     if (out.area > 0.0) center /= out.area;
     const std::size_t middle = cellOf(center);
     // The middle lies between the fine cells' own points: a lamp's post there is news.
-    if (isWhole(middle) && probe_.at(vec3(center)) == coverAt(middle)) {
+    if (isWhole(middle) && probe_.at(vec3(center)) == coverAt(middle) &&
+        !probe_.inMatter(vec3(center))) {
       out.point = vec3(center);
       out.triangle = grid_.cut->cells[middle].triangle;
       return out;
