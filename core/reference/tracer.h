@@ -133,7 +133,7 @@ class Tracer {
   std::vector<Crossing> crossings_;
   Rng rng_{0};
   std::uint64_t seed_ = 0;
-  std::uint32_t depth_ = 0;  ///< reflections so far
+  std::uint32_t depth_ = 0;      ///< reflections so far
   std::array<dvec3, 3> sums_{};  ///< without reflection, after one, after more
   std::uint64_t ray_count_ = 0;
 };

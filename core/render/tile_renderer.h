@@ -56,6 +56,11 @@ class TileRenderer {
   void render(std::span<const PixelTask> tasks, std::span<const vec2> pattern, TileScratch& scratch,
               Film& film, SpecularLayer* layer) const;
 
+  /// Traces the reflections of pixels anew, each by the whole set of a block (standsAlone()) and
+  /// all of its samples. Writes the layer's pixels.
+  void reflectWhole(std::span<const PixelTask> tasks, std::span<const vec2> pattern,
+                    TileScratch& scratch, SpecularLayer& layer) const;
+
  private:
   void trace(std::span<const PixelTask> tasks, std::span<const vec2> pattern, TileScratch& s) const;
   [[nodiscard]] bool mayShowLuminaires(std::span<const PixelTask> tasks) const;
@@ -63,6 +68,7 @@ class TileRenderer {
   void groupSamples(std::span<const PixelTask> tasks, std::size_t per_pixel, TileScratch& s) const;
   void resolve(const PixelTask& task, std::size_t pixel, std::size_t per_pixel,
                const TileScratch& s, Film& film) const;
+  void listMirrors(TileScratch& s) const;
   void reflect(std::span<const PixelTask> tasks, std::size_t per_pixel, TileScratch& s,
                const Film& film, SpecularLayer& layer) const;
 

@@ -180,6 +180,38 @@ void secondPass(Run& run, Film& film, const std::vector<std::uint8_t>& mixed) {
   });
 }
 
+/// Reflections of pixels that cannot share theirs with a block: curved surfaces, the edges of
+/// surfaces, and of shadows, across which a highlight may break off.
+void reflectionPass(Run& run, const Film& film, const std::vector<std::uint8_t>& mixed,
+                    SpecularLayer& layer) {
+  const auto pattern = pixelPattern(run.options.samples);
+  const EdgeFinder edges(run.scene, film, mixed);
+  constexpr int kReach = kPhases / 2;
+  std::vector<std::uint8_t> alone(film.count(), 0);
+  for (int y = 0; y < film.height; ++y) {
+    for (int x = 0; x < film.width; ++x) {
+      const bool several = mixed[film.at(x, y)] != 0 && smooths(layer, x, y);
+      if (several || standsAlone(layer, x, y)) alone[film.at(x, y)] = 1;
+      if (layer.pixels[film.at(x, y)].coverage <= 0.0F || !edges.shadowEdge(x, y)) continue;
+      for (int j = std::max(y - kReach, 0); j <= std::min(y + kReach, film.height - 1); ++j) {
+        for (int i = std::max(x - kReach, 0); i <= std::min(x + kReach, film.width - 1); ++i) {
+          if (smooths(layer, i, j)) alone[film.at(i, j)] = 1;
+        }
+      }
+    }
+  }
+  if (std::none_of(alone.begin(), alone.end(), [](std::uint8_t a) { return a != 0; })) return;
+  run.forTiles("refining reflections", [&](const Tile& tile, TileScratch& scratch) {
+    scratch.tasks.clear();
+    for (int y = tile.y0; y < tile.y1; ++y) {
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        if (alone[film.at(x, y)] != 0) scratch.tasks.push_back({x, y, true});
+      }
+    }
+    if (!scratch.tasks.empty()) run.renderer.reflectWhole(scratch.tasks, pattern, scratch, layer);
+  });
+}
+
 }  // namespace
 
 Result<Film> renderView(const ViewScene& scene, const scene::Camera& camera,
@@ -202,6 +234,7 @@ Result<Film> renderView(const ViewScene& scene, const scene::Camera& camera,
   Run run{scene, renderer, options, job, tilesOf(options), {}};
   firstPass(run, film, layer, mixed);
   if (options.samples > 1) secondPass(run, film, mixed);
+  if (!layer.pixels.empty()) reflectionPass(run, film, mixed, layer);
   if (job.cancelled()) return Error{"", "rendering was cancelled", ""};
   addReflections(layer, film);
   return film;
