@@ -5,10 +5,8 @@
 #include "core/color/luminance.h"
 #include "core/design/glossy_picture_rows.h"
 #include "core/design/pixel_samples.h"
-#include "core/glossy/bounces.h"
-#include "core/glossy/lobe_shape.h"
-#include "core/glossy/matrix_set.h"
 #include "core/reference/beams.h"
+#include "core/render/harmonic_reflections.h"
 #include "core/render/lamp_highlights.h"
 #include "core/render/probe_reflections.h"
 #include "core/render/sent_albedo.h"
@@ -17,7 +15,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -110,7 +107,7 @@ class Measurement {
   /// One receiver per pixel and material that reflects.
   [[nodiscard]] std::vector<MethodResult> harmonics() const {
     const auto start = std::chrono::steady_clock::now();
-    std::vector<std::uint32_t> receiver_of(pixels_.samples.size(), glossy::kNoSource);
+    std::vector<std::uint32_t> receiver_of(pixels_.samples.size(), render::kNoReceiver);
     std::vector<vec3> positions, normals;
     for (const auto& pixel : pixels_.pixels) {
       std::map<std::uint32_t, std::uint32_t> made;
@@ -128,13 +125,13 @@ class Measurement {
     }
     const auto directions =
         std::make_shared<const sh::SphereSamples>(sh::hammersleySamples(options_.directions));
-    const glossy::FirstHits first(scene_.caster(), positions, normals, directions);
-    const auto arriving = glossy::arrivingLight(first, hitLight(), kMostBands);
+    const auto arriving = render::arrivingAt(scene_, sent_, illumination_, positions, normals,
+                                             directions, kMostBands);
     const double gathered = secondsSince(start);
     std::vector<MethodResult> results;
     for (int bands = 3; bands <= kMostBands; ++bands) {
       const auto begun = std::chrono::steady_clock::now();
-      auto specular = throughLobes(arriving, bands, receiver_of);
+      auto specular = render::throughLobes(scene_, arriving, bands, pixels_.samples, receiver_of);
       addHighlights(specular);
       results.push_back({fmt::format("harmonics, {} bands", bands),
                          luminanceOf(specular),
@@ -157,61 +154,6 @@ class Measurement {
       }
     });
     return values;
-  }
-
-  [[nodiscard]] std::vector<vec3> throughLobes(
-      const glossy::FloatBlocks& arriving, int bands,
-      const std::vector<std::uint32_t>& receiver_of) const {
-    // Every sample is a receiver that looks along its own lobe at its pixel's light.
-    const std::size_t n = sh::coefficientCount(bands);
-    const std::size_t stored = arriving.rows() / 3;
-    glossy::FloatBlocks light(receiver_of.size(), 3 * n);
-    const glossy::LobeView none{vec3(0, 0, 1), 0.5F, 0.0F};
-    std::array<std::vector<glossy::LobeView>, 2> lobes;  // both parts of the lobe
-    for (auto& part : lobes) part.assign(receiver_of.size(), none);
-    for (std::size_t k = 0; k < receiver_of.size(); ++k) {
-      if (receiver_of[k] == glossy::kNoSource) continue;
-      for (std::size_t i = 0; i < 3 * n; ++i) {
-        light.at(k, i) = arriving.at(receiver_of[k], i / n * stored + i % n);
-      }
-      const SurfaceSample& s = pixels_.samples[k];
-      const render::ViewMaterial& m = scene_.material(s.point.triangle);
-      const glossy::LobeShape shape =
-          glossy::lobeShape(static_cast<double>(glm::dot(s.point.shading_normal, s.to_eye)),
-                            static_cast<double>(m.alpha));
-      const auto view = [&](const glossy::RoundLobe& lobe, double weight) {
-        return glossy::LobeView{glossy::lobeAxis(lobe, s.point.shading_normal, s.to_eye),
-                                static_cast<float>(lobe.alpha),
-                                static_cast<float>(weight / lobe.above)};
-      };
-      lobes[0][k] = view(shape.base, static_cast<double>(m.f0) * shape.scale);
-      lobes[1][k] = view(shape.rise, shape.bias);
-    }
-    std::vector<vec3> radiance(receiver_of.size()), rise(receiver_of.size());
-    glossy::shade(light, lobes[0], radiance);
-    glossy::shade(light, lobes[1], rise);
-    for (std::size_t k = 0; k < rise.size(); ++k) radiance[k] += rise[k];
-    for (vec3& value : radiance) value = glm::max(value, vec3(0.0F));
-    return radiance;
-  }
-
-  [[nodiscard]] glossy::HitRadiance hitLight() const {
-    return [this](std::span<const geometry::Ray> rays, std::span<const geometry::Hit> hits,
-                  std::span<vec3> radiance) {
-      std::vector<render::SurfacePoint> points;
-      std::vector<vec3> albedo;
-      for (std::size_t k = 0; k < hits.size(); ++k) {
-        const SurfaceSample seen =
-            render::sampleSurface(scene_, rays[k], hits[k], {.spread = 0.05F});
-        points.push_back(seen.point);
-        albedo.push_back(sent_.of(seen));
-      }
-      std::vector<vec3> direct(points.size(), vec3(0.0F)), indirect(points.size(), vec3(0.0F));
-      illumination_.evaluate(points, direct, indirect);
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        radiance[k] = albedo[k] * (direct[k] + indirect[k]) / static_cast<float>(kPi);
-      }
-    };
   }
 
   void addHighlights(std::vector<vec3>& specular) const {

@@ -5,9 +5,9 @@
 #include "core/color/luminance.h"
 #include "core/math/rng.h"
 #include "core/math/sampling.h"
-#include "core/relight/reflectance.h"
 #include "core/render/light_aim.h"
 #include "core/render/microfacet.h"
+#include "core/render/reflecting_places.h"
 #include "core/render/surface_sample.h"
 
 #include <algorithm>
@@ -20,21 +20,6 @@ constexpr float kPiF = 3.14159265358979F;
 constexpr std::size_t kBatch = 2048;
 /// Batches whose deposits are held at a time, before they are added in order.
 constexpr std::size_t kRound = 64;
-/// Of the mean light on reflecting surfaces: what darker places are taken for when places are
-/// drawn.
-constexpr double kLeastShare = 0.1;
-/// Points per square metre at which a triangle is looked at before places are drawn, and at most.
-constexpr double kLooksPerArea = 16.0;
-constexpr int kMostLooks = 256;
-
-/// One side of a triangle that reflects.
-struct Source {
-  std::uint32_t triangle = 0;
-  bool front = true;
-  double area = 0.0;
-  double weight = 0.0;
-};
-
 struct Deposit {
   std::uint32_t slot = 0;
   vec3 flux{0.0F};
@@ -58,18 +43,6 @@ struct Batch {
   std::vector<Particle> next;
 };
 
-vec3 pointOf(const geometry::Mesh& mesh, std::uint32_t triangle, const vec2& barycentric) {
-  const uvec3& t = mesh.triangles[triangle];
-  return (1.0F - barycentric.x - barycentric.y) * mesh.positions[t.x] +
-         barycentric.x * mesh.positions[t.y] + barycentric.y * mesh.positions[t.z];
-}
-
-/// Uniform over a triangle (u, v); Osada et al. 2002.
-vec2 inTriangle(const dvec2& u) {
-  const double root = std::sqrt(u.x);
-  return {root * (1.0 - u.y), root * u.y};
-}
-
 class Thrower {
  public:
   Thrower(const ViewScene& scene, const relight::Lighting& lighting,
@@ -77,16 +50,16 @@ class Thrower {
       : scene_(scene),
         texels_(lighting.solver().operators().texels),
         lit_(lighting.total()),
+        places_(scene, texels_, lit_),
         options_(options) {
     if (lighting.environment() != nullptr) {
       const auto spots = lighting.environment()->spots();
       spots_.assign(spots.begin(), spots.end());
     }
-    listSources();
   }
 
   Result<relight::Planes> run(const Job& job) {
-    if (!(total_ > 0.0)) return relight::Planes{};
+    if (places_.empty()) return relight::Planes{};
     for (auto& plane : sum_) plane.assign(texels_.slotCount(), 0.0F);
     squares_.assign(texels_.slotCount(), 0.0F);
     const int most = std::max(options_.most_passes, 1);
@@ -142,56 +115,6 @@ class Thrower {
     for (std::size_t i = 0; i < count; ++i) add(found_[i]);
   }
 
-  void listSources() {
-    std::vector<double> lobe;  // per material
-    const geometry::Mesh& mesh = scene_.mesh();
-    double light = 0.0;
-    double weights = 0.0;
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      const ViewMaterial& m = scene_.material(t);
-      if (m.f0 <= 0.0F || (scene_.panes() != nullptr && scene_.panes()->isGlass(t))) continue;
-      const std::uint32_t index = scene_.materialIndex(t);
-      if (index >= lobe.size()) lobe.resize(index + 1, -1.0);
-      if (lobe[index] < 0.0) {
-        lobe[index] =
-            relight::lobeAlbedo(static_cast<double>(m.f0), std::sqrt(static_cast<double>(m.alpha)));
-      }
-      const uvec3& c = mesh.triangles[t];
-      const double area =
-          0.5 *
-          static_cast<double>(glm::length(glm::cross(mesh.positions[c.y] - mesh.positions[c.x],
-                                                     mesh.positions[c.z] - mesh.positions[c.x])));
-      for (const bool front : {true, false}) {
-        const double seen = meanLight(t, front, area);
-        if (seen < 0.0) continue;
-        sources_.push_back({t, front, area, seen});
-        light += area * seen * lobe[index];
-        weights += area * lobe[index];
-      }
-    }
-    const double least = weights > 0.0 ? kLeastShare * light / weights : 0.0;
-    for (Source& s : sources_) {
-      s.weight = s.area * lobe[scene_.materialIndex(s.triangle)] * (s.weight + least);
-      total_ += s.weight;
-      cumulative_.push_back(total_);
-    }
-  }
-
-  /// Luminance of the illuminance on one side of a triangle; negative where that carries no light.
-  [[nodiscard]] double meanLight(std::uint32_t t, bool front, double area) const {
-    const int looks = std::clamp(static_cast<int>(area * kLooksPerArea), 4, kMostLooks);
-    double sum = 0.0;
-    int lit = 0;
-    for (int k = 0; k < looks; ++k) {
-      const vec2 at = inTriangle(r2Sequence(static_cast<std::uint32_t>(k)));
-      const std::uint32_t slot = texels_.at(t, front, pointOf(scene_.mesh(), t, at));
-      if (slot == transfer::kNoTexel) continue;
-      sum += static_cast<double>(color::luminance(litAt(slot)));
-      ++lit;
-    }
-    return lit > 0 ? std::max(sum, 0.0) / looks : -1.0;
-  }
-
   void runBatch(std::size_t pass, std::size_t index, std::vector<Deposit>& out) const {
     Batch b;
     b.rng = Rng(options_.seed, pass * batches() + index);
@@ -200,18 +123,13 @@ class Thrower {
     std::vector<float> areas;  // that a place stands for
     for (std::size_t k = 0; k < kBatch; ++k) {
       const std::size_t i = index * kBatch + k;
-      const double where =
-          (static_cast<double>(i) + b.rng.uniformDouble()) / static_cast<double>(samples) * total_;
-      const auto found = std::lower_bound(cumulative_.begin(), cumulative_.end(), where);
-      const Source& s = sources_[std::min(static_cast<std::size_t>(found - cumulative_.begin()),
-                                          sources_.size() - 1)];
-      const dvec2 u = r2Sequence(static_cast<std::uint32_t>(pass * samples + i));
-      const vec2 at = inTriangle(u - glm::floor(u));
-      const vec3 p = pointOf(scene_.mesh(), s.triangle, at);
-      if (texels_.at(s.triangle, s.front, p) == transfer::kNoTexel) continue;
-      places.push_back(lookAt(s, p, at));
-      areas.push_back(
-          static_cast<float>(total_ * s.area / (s.weight * static_cast<double>(samples))));
+      const auto [side, stands_for] = places_.pick(
+          (static_cast<double>(i) + b.rng.uniformDouble()) / static_cast<double>(samples));
+      const vec2 at = inTriangle(r2Sequence(static_cast<std::uint32_t>(pass * samples + i)));
+      const vec3 p = pointOf(scene_.mesh(), side.triangle, at);
+      if (texels_.at(side.triangle, side.front, p) == transfer::kNoTexel) continue;
+      places.push_back(lookAt(side, p, at));
+      areas.push_back(static_cast<float>(stands_for / static_cast<double>(samples)));
     }
     fromLamps(places, areas, b);
     fromRoom(places, areas, b);
@@ -221,7 +139,7 @@ class Thrower {
   }
 
   /// The place as somebody right above it sees it.
-  [[nodiscard]] SurfaceSample lookAt(const Source& s, const vec3& p, const vec2& at) const {
+  [[nodiscard]] SurfaceSample lookAt(const ReflectingSide& s, const vec3& p, const vec2& at) const {
     const vec3 normal = s.front ? scene_.normal(s.triangle) : -scene_.normal(s.triangle);
     constexpr float kHeight = 0.01F;
     const geometry::Ray ray{p + kHeight * normal, 0.0F, -normal};
@@ -394,11 +312,9 @@ class Thrower {
   const ViewScene& scene_;
   const transfer::Texels& texels_;
   relight::Planes lit_;  ///< lux of everything, per slot
+  ReflectingPlaces places_;
   ThrownLightOptions options_;
   std::vector<daylight::Spot> spots_;
-  std::vector<Source> sources_;
-  std::vector<double> cumulative_;
-  double total_ = 0.0;
   std::vector<std::vector<Deposit>> found_;  ///< of a round
   relight::Planes sum_;                      ///< lumens per slot
   std::vector<float> squares_;               ///< of their parts

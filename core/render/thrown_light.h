@@ -17,8 +17,8 @@ namespace soffit::render {
 struct ThrownLightOptions {
   std::size_t samples = std::size_t{1} << 18U;  ///< places on reflecting surfaces per pass
   /// Passes follow until the RMS noise over all texels is this share of their mean light.
-  double noise = 0.004;
-  int most_passes = 32;
+  double noise = 0.0025;
+  int most_passes = 64;
   int most_reflections = 3;  ///< by lobes one after the other, at least 1
   std::uint64_t seed = 1;
 };

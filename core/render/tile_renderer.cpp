@@ -3,6 +3,7 @@
 
 #include "core/color/luminance.h"
 #include "core/render/pixel_mean.h"
+#include "core/render/pixel_pattern.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,12 +46,14 @@ vec4 pictureArea(const CameraFrame& camera, const Box& box) {
 }  // namespace
 
 TileRenderer::TileRenderer(const ViewScene& scene, const CameraFrame& camera,
-                           const Illumination& illumination, const RenderOptions& options)
+                           const Illumination& illumination, const RenderOptions& options,
+                           const QuickReflections* quick)
     : scene_(scene),
       camera_(camera),
       options_(options),
       illumination_(illumination),
-      reflector_(scene, illumination, options, static_cast<float>(camera.pixelAngle())) {
+      reflector_(scene, illumination, options, static_cast<float>(camera.pixelAngle())),
+      quick_(quick) {
   for (const light::Emitter& e : scene.emitters())
     luminaires_.push_back(pictureArea(camera, e.bounds));
 }
@@ -124,6 +127,7 @@ void TileRenderer::groupSamples(std::span<const PixelTask> tasks, std::size_t pe
                                 TileScratch& s) const {
   const SurfaceOptions how{.spread = static_cast<float>(camera_.pixelAngle()),
                            .footprint = 0.0F,
+                           .texture_share = textureShare(per_pixel),
                            .plain_normals = options_.quantity == Quantity::illuminance};
   s.samples.resize(s.rays.size());
   s.group_of.assign(s.rays.size(), kNoGroup);
@@ -214,6 +218,16 @@ void TileRenderer::reflect(std::span<const PixelTask> tasks, std::size_t per_pix
     s.mirrors.push_back({tasks[pixel].x, tasks[pixel].y, {}});
   }
   listMirrors(s);
+  if (quick_ != nullptr) {
+    s.rough.clear();
+    std::erase_if(s.mirrors, [&](const ReflectingPixel& pixel) {
+      const auto& m = scene_.material(pixel.samples.front().point.triangle);
+      if (m.alpha < kMirrorAlpha) return false;
+      s.rough.push_back(pixel);
+      return true;
+    });
+    quick_->render(s.rough, layer);
+  }
   reflector_.render(s.mirrors, s.reflector, layer);
 }
 
@@ -238,9 +252,9 @@ void TileRenderer::reflectWhole(std::span<const PixelTask> tasks, std::span<cons
     for (std::size_t i = pixel * per_pixel; i < (pixel + 1) * per_pixel; ++i) {
       if (!s.first[i].surface.valid()) continue;
       if (scene_.material(s.first[i].surface.triangle).f0 <= 0.0F) continue;
-      s.mirror_samples.push_back(
-          sampleSurface(scene_, s.rays[i], s.first[i].surface,
-                        {.spread = static_cast<float>(camera_.pixelAngle())}));
+      s.mirror_samples.push_back(sampleSurface(scene_, s.rays[i], s.first[i].surface,
+                                               {.spread = static_cast<float>(camera_.pixelAngle()),
+                                                .texture_share = textureShare(per_pixel)}));
     }
     const std::size_t found = s.mirror_samples.size() - before;
     const auto [x, y, share] = tasks[pixel];
