@@ -41,12 +41,13 @@ std::string tableOf(const std::vector<design::GlossyBenchRow>& rows) {
 
 std::string tableOf(const std::vector<design::GlossyPictureRow>& rows) {
   std::string text =
-      fmt::format("{:<20} {:<28} {:<28} {:>6} {:>8} {:>7} {:>7} {:>7} {:>7}\n", "camera", "method",
-                  "part", "pixels", "cd/m2", "RMS %", "bias %", "noise %", "s");
+      fmt::format("{:<20} {:<28} {:<28} {:>6} {:>8} {:>7} {:>6} {:>7} {:>7} {:>7}\n", "camera",
+                  "method", "part", "pixels", "cd/m2", "RMS %", "+-", "bias %", "noise %", "s");
   for (const design::GlossyPictureRow& r : rows) {
-    text += fmt::format("{:<20} {:<28} {:<28} {:>6} {:>8.2f} {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f}\n",
-                        r.camera, r.method, r.part, r.pixels, r.mean, 100 * r.rms, 100 * r.bias,
-                        100 * r.noise, r.seconds);
+    text += fmt::format(
+        "{:<20} {:<28} {:<28} {:>6} {:>8.2f} {:>7.2f} {:>6.2f} {:>7.2f} {:>7.2f} {:>7.2f}\n",
+        r.camera, r.method, r.part, r.pixels, r.mean, 100 * r.rms, 100 * r.rms_error, 100 * r.bias,
+        100 * r.noise, r.seconds);
   }
   return text;
 }
@@ -71,6 +72,7 @@ io::Json jsonOf(const std::vector<design::GlossyBenchRow>& rows,
                                      {"pixels", r.pixels},
                                      {"mean", r.mean},
                                      {"rms", r.rms},
+                                     {"rms_error", r.rms_error},
                                      {"bias", r.bias},
                                      {"noise", r.noise},
                                      {"seconds", r.seconds}}));
@@ -79,8 +81,8 @@ io::Json jsonOf(const std::vector<design::GlossyBenchRow>& rows,
 }
 
 /// The pictures of one camera, or of all, of the project's shown layout.
-Result<std::vector<design::GlossyPictureRow>> picturesOf(BenchGlossyArguments& arguments,
-                                                         Session& session, ProgressBar& progress) {
+Result<design::GlossyPictures> picturesOf(BenchGlossyArguments& arguments, Session& session,
+                                          ProgressBar& progress) {
   const auto size = parseSize(arguments.size);
   if (!size) return size.error();
   std::tie(arguments.pictures.width, arguments.pictures.height) = *size;
@@ -111,14 +113,17 @@ Result<std::vector<design::GlossyPictureRow>> picturesOf(BenchGlossyArguments& a
       reference::ReferenceScene::make(project->scene, project->scene.luminaires, caster);
   if (!reference) return reference.error();
   const render::EngineLight light(lighting);
-  std::vector<design::GlossyPictureRow> rows;
+  const auto best = render::EngineLight::withThrownLight(lighting, **view, {}, job);
+  if (!best) return best.error();
+  design::GlossyPictures all;
   for (const scene::Camera& camera : cameras) {
-    const auto found =
-        design::measureGlossyPictures(**view, light, *reference, camera, arguments.pictures, job);
+    const auto found = design::measureGlossyPictures(**view, {light, **best}, *reference, camera,
+                                                     arguments.pictures, job);
     if (!found) return found.error();
-    rows.insert(rows.end(), found->begin(), found->end());
+    all.rows.insert(all.rows.end(), found->rows.begin(), found->rows.end());
+    all.pixels += found->pixels;
   }
-  return rows;
+  return all;
 }
 
 Result<void> runBenchGlossy(BenchGlossyArguments arguments, Session& session) {
@@ -133,7 +138,7 @@ Result<void> runBenchGlossy(BenchGlossyArguments arguments, Session& session) {
   }
   arguments.methods.seed = arguments.common.seed;
   ProgressBar progress;
-  std::vector<design::GlossyPictureRow> pictures;
+  design::GlossyPictures pictures;
   if (!arguments.common.project.empty()) {
     auto found = picturesOf(arguments, session, progress);
     if (!found) return found.error();
@@ -147,16 +152,20 @@ Result<void> runBenchGlossy(BenchGlossyArguments arguments, Session& session) {
         !ok) {
       return ok;
     }
-    if (!pictures.empty()) {
+    if (!pictures.rows.empty()) {
       const auto ok =
-          writeResult(file("glossy_pictures.csv"), design::formatGlossyPictureRows(pictures));
+          writeResult(file("glossy_pictures.csv"), design::formatGlossyPictureRows(pictures.rows));
       if (!ok) return ok;
+      if (const auto done = writeResult(file("glossy_pixels.csv"), pictures.pixels); !done) {
+        return done;
+      }
     }
   }
   if (arguments.common.json) {
-    return writeResult("", io::formatJsonLine(jsonOf(*rows, pictures)) + "\n");
+    return writeResult("", io::formatJsonLine(jsonOf(*rows, pictures.rows)) + "\n");
   }
-  return writeResult("", (pictures.empty() ? "" : tableOf(pictures) + "\n") + tableOf(*rows));
+  return writeResult("",
+                     (pictures.rows.empty() ? "" : tableOf(pictures.rows) + "\n") + tableOf(*rows));
 }
 
 }  // namespace
@@ -170,7 +179,7 @@ void addBenchGlossyCommand(CLI::App& bench, Session& session) {
                       "Project whose pictures are compared with the path tracer; none without");
   command
       ->add_option("-o,--output", arguments->common.output,
-                   "Folder for glossy.csv and glossy_pictures.csv")
+                   "Folder for glossy.csv, glossy_pictures.csv and glossy_pixels.csv")
       ->type_name("FOLDER");
   addLayoutOption(*command, arguments->common);
   addSetOption(*command, arguments->common);

@@ -46,7 +46,14 @@ MakePictureLight pictureLight(Session& session) {
     // The caster lives in the engine's static scene: share its ownership.
     std::shared_ptr<const relight::Lighting> lighting = engine->lighting;
     std::shared_ptr<const geometry::RayCaster> caster(lighting, &lighting->solver().scene().caster);
-    return PictureLight{std::make_shared<const render::EngineLight>(lighting), caster};
+    const auto best = [lighting](
+                          const render::ViewScene& scene,
+                          const Job& at) -> Result<std::shared_ptr<const render::Illumination>> {
+      auto light = render::EngineLight::withThrownLight(lighting, scene, {}, at);
+      if (!light) return light.error();
+      return std::shared_ptr<const render::Illumination>(std::move(*light));
+    };
+    return PictureLight{std::make_shared<const render::EngineLight>(lighting), caster, best};
   };
 }
 

@@ -9,12 +9,14 @@
 #include "core/color/exposure.h"
 #include "core/io/image/write_image.h"
 #include "core/render/picture.h"
+#include "core/render/quick_reflections.h"
 #include "core/render/view_renderer.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,6 +29,7 @@ struct RenderArguments {
   std::string camera;
   std::string size = "1280x800";
   int samples = 4;
+  render::Reflections glossy = render::Reflections::automatic;
   std::string exposure;       ///< EV or "auto"; empty: the project's
   std::string view;           ///< empty: the project's
   std::string white_balance;  ///< kelvin or "auto"; empty: the project's
@@ -72,6 +75,12 @@ bool isDark(const render::Film& film) {
                      [](const auto& v) { return v == std::decay_t<decltype(v)>(0.0F); });
 }
 
+/// Whether surfaces are lit by what specular ones throw on them: where reflections are traced.
+bool followsReflections(const render::RenderOptions& options) {
+  return options.quantity == render::Quantity::luminance &&
+         render::settled(options.reflections, options.quick) == render::Reflections::rays;
+}
+
 Result<void> runRender(const RenderArguments& arguments, Session& session,
                        const MakePictureLight& make) {
   const std::string& output = arguments.common.output;
@@ -95,6 +104,7 @@ Result<void> runRender(const RenderArguments& arguments, Session& session,
   options.height = size->second;
   options.samples = arguments.samples;
   options.seed = arguments.common.seed;
+  options.reflections = arguments.glossy;
   if (picture->display.view == color::kFalseColorView)
     options.quantity = render::Quantity::illuminance;
   if (!io::isSceneLinear(output)) {
@@ -106,7 +116,13 @@ Result<void> runRender(const RenderArguments& arguments, Session& session,
   if (!light) return light.error();
   const auto view_scene = makeViewScene(scene, light->caster);
   if (!view_scene) return view_scene.error();
-  const auto film = render::renderView(**view_scene, *camera, *light->illumination, options, job);
+  std::shared_ptr<const render::Illumination> illumination = light->illumination;
+  if (light->best && (*view_scene)->hasSpecular() && followsReflections(options)) {
+    auto best = light->best(**view_scene, job);
+    if (!best) return best.error();
+    illumination = std::move(*best);
+  }
+  const auto film = render::renderView(**view_scene, *camera, *illumination, options, job);
   if (!film) return film.error();
   picture->exposure_ev = exposure->has_value() ? **exposure : color::autoExposure(film->radiance);
   progress.clear();
@@ -139,6 +155,19 @@ void addRenderCommand(CLI::App& app, Session& session, MakePictureLight make) {
   command->add_option("--samples", arguments->samples, "Samples per pixel")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));
+  command
+      ->add_option(
+          "--glossy", arguments->glossy,
+          "Reflections of rough specular surfaces: automatic (rays), none, maps (cube maps "
+          "at probes), harmonics (spherical harmonics, maps for sharper lobes), or rays, "
+          "which also light other surfaces by reflections")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, render::Reflections>{{"automatic", render::Reflections::automatic},
+                                                     {"none", render::Reflections::none},
+                                                     {"maps", render::Reflections::maps},
+                                                     {"harmonics", render::Reflections::harmonics},
+                                                     {"rays", render::Reflections::rays}}))
+      ->option_text("METHOD");
   command->add_option("--exposure", arguments->exposure,
                       "Stops (EV), or auto; without it: the project's");
   command->add_option(

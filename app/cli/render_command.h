@@ -8,6 +8,7 @@
 #include "core/geometry/ray_caster.h"
 #include "core/io/project/project.h"
 #include "core/render/illumination.h"
+#include "core/render/view_scene.h"
 
 #include <functional>
 #include <memory>
@@ -25,6 +26,10 @@ struct PictureLight {
   /// Over the mesh of the project's scene, when the engine has one; null: the command makes its
   /// own.
   std::shared_ptr<const geometry::RayCaster> caster;
+  /// The illumination of final pictures of a scene with specular surfaces; empty: the same.
+  std::function<Result<std::shared_ptr<const render::Illumination>>(const render::ViewScene&,
+                                                                    const Job&)>
+      best = {};
 };
 
 /// Bakes or loads what the project needs and computes its light.

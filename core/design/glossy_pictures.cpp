@@ -3,11 +3,10 @@
 
 #include "core/base/parallel.h"
 #include "core/color/luminance.h"
+#include "core/design/glossy_picture_rows.h"
 #include "core/design/pixel_samples.h"
-#include "core/glossy/bounces.h"
-#include "core/glossy/lobe_shape.h"
-#include "core/glossy/matrix_set.h"
 #include "core/reference/beams.h"
+#include "core/render/harmonic_reflections.h"
 #include "core/render/lamp_highlights.h"
 #include "core/render/probe_reflections.h"
 #include "core/render/sent_albedo.h"
@@ -20,10 +19,8 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <memory>
-#include <set>
 
 namespace soffit::design {
 namespace {
@@ -34,28 +31,37 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// A picture by one method: luminance per pixel.
-struct MethodResult {
-  std::string name;
-  std::vector<double> luminance;
-  double seconds = 0.0;
-};
+using MethodResult = PictureByMethod;
 
 class Measurement {
  public:
-  Measurement(const render::ViewScene& scene, const render::Illumination& illumination,
+  Measurement(const render::ViewScene& scene, const PictureLights& lights,
               const render::CameraFrame& frame, const GlossyPictureOptions& options)
       : scene_(scene),
-        illumination_(illumination),
+        illumination_(lights.quick),
+        best_(lights.best),
         options_(options),
         sent_(scene),
         pixels_(samplePixels(scene, frame, options.stride, options.samples)),
-        matte_(matteLight(pixels_, illumination)) {}
+        matte_(matteLight(pixels_, lights.quick)) {}
 
   [[nodiscard]] const PixelSamples& pixels() const { return pixels_; }
 
-  [[nodiscard]] MethodResult matte() const {
-    return {"matte alone", luminanceOf(std::vector<vec3>(matte_.size(), vec3(0.0F))), 0.0};
+  /// Diffuse light alone, and its parts.
+  [[nodiscard]] MethodResult matte(const render::Illumination& light, std::string name) const {
+    std::vector<render::SurfacePoint> points;
+    for (const SurfaceSample& s : pixels_.samples) points.push_back(s.point);
+    std::vector<vec3> direct(points.size(), vec3(0.0F)), indirect(direct);
+    light.evaluate(points, direct, indirect);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const vec3 sent = pixels_.samples[k].albedo / static_cast<float>(kPi);
+      direct[k] *= sent;
+      indirect[k] *= sent;
+    }
+    MethodResult result{std::move(name), pixelLuminance(direct), pixelLuminance(direct), 0.0};
+    const std::vector<double> reflected = pixelLuminance(indirect);
+    for (std::size_t i = 0; i < reflected.size(); ++i) result.luminance[i] += reflected[i];
+    return result;
   }
 
   [[nodiscard]] Result<MethodResult> rays(const scene::Camera& camera, const Job& job) const {
@@ -64,9 +70,9 @@ class Measurement {
     how.width = options_.width;
     how.height = options_.height;
     how.samples = options_.samples;
-    const auto film = render::renderView(scene_, camera, illumination_, how, job);
+    const auto film = render::renderView(scene_, camera, best_, how, job);
     if (!film) return film.error();
-    MethodResult result{"rays", {}, secondsSince(start)};
+    MethodResult result{"rays", {}, {}, secondsSince(start)};
     for (const auto& pixel : pixels_.pixels) {
       result.luminance.push_back(
           static_cast<double>(color::luminance(film->radiance[film->at(pixel.x, pixel.y)])));
@@ -94,14 +100,16 @@ class Measurement {
       return maps.reflected(s, m.f0, m.alpha);
     });
     addHighlights(specular);
-    return {fmt::format("reflection maps, {} probes", maps.probeCount()), luminanceOf(specular),
+    return {fmt::format("reflection maps, {} probes", maps.probeCount()),
+            luminanceOf(specular),
+            {},
             secondsSince(start) + highlight_seconds_};
   }
 
   /// One receiver per pixel and material that reflects.
   [[nodiscard]] std::vector<MethodResult> harmonics() const {
     const auto start = std::chrono::steady_clock::now();
-    std::vector<std::uint32_t> receiver_of(pixels_.samples.size(), glossy::kNoSource);
+    std::vector<std::uint32_t> receiver_of(pixels_.samples.size(), render::kNoReceiver);
     std::vector<vec3> positions, normals;
     for (const auto& pixel : pixels_.pixels) {
       std::map<std::uint32_t, std::uint32_t> made;
@@ -119,15 +127,17 @@ class Measurement {
     }
     const auto directions =
         std::make_shared<const sh::SphereSamples>(sh::hammersleySamples(options_.directions));
-    const glossy::FirstHits first(scene_.caster(), positions, normals, directions);
-    const auto arriving = glossy::arrivingLight(first, hitLight(), kMostBands);
+    const auto arriving = render::arrivingAt(scene_, sent_, illumination_, positions, normals,
+                                             directions, kMostBands);
     const double gathered = secondsSince(start);
     std::vector<MethodResult> results;
     for (int bands = 3; bands <= kMostBands; ++bands) {
       const auto begun = std::chrono::steady_clock::now();
-      auto specular = throughLobes(arriving, bands, receiver_of);
+      auto specular = render::throughLobes(scene_, arriving, bands, pixels_.samples, receiver_of);
       addHighlights(specular);
-      results.push_back({fmt::format("harmonics, {} bands", bands), luminanceOf(specular),
+      results.push_back({fmt::format("harmonics, {} bands", bands),
+                         luminanceOf(specular),
+                         {},
                          gathered + secondsSince(begun) + highlight_seconds_});
     }
     return results;
@@ -148,61 +158,6 @@ class Measurement {
     return values;
   }
 
-  [[nodiscard]] std::vector<vec3> throughLobes(
-      const glossy::FloatBlocks& arriving, int bands,
-      const std::vector<std::uint32_t>& receiver_of) const {
-    // Every sample is a receiver that looks along its own lobe at its pixel's light.
-    const std::size_t n = sh::coefficientCount(bands);
-    const std::size_t stored = arriving.rows() / 3;
-    glossy::FloatBlocks light(receiver_of.size(), 3 * n);
-    const glossy::LobeView none{vec3(0, 0, 1), 0.5F, 0.0F};
-    std::array<std::vector<glossy::LobeView>, 2> lobes;  // both parts of the lobe
-    for (auto& part : lobes) part.assign(receiver_of.size(), none);
-    for (std::size_t k = 0; k < receiver_of.size(); ++k) {
-      if (receiver_of[k] == glossy::kNoSource) continue;
-      for (std::size_t i = 0; i < 3 * n; ++i) {
-        light.at(k, i) = arriving.at(receiver_of[k], i / n * stored + i % n);
-      }
-      const SurfaceSample& s = pixels_.samples[k];
-      const render::ViewMaterial& m = scene_.material(s.point.triangle);
-      const glossy::LobeShape shape =
-          glossy::lobeShape(static_cast<double>(glm::dot(s.point.shading_normal, s.to_eye)),
-                            static_cast<double>(m.alpha));
-      const auto view = [&](const glossy::RoundLobe& lobe, double weight) {
-        return glossy::LobeView{glossy::lobeAxis(lobe, s.point.shading_normal, s.to_eye),
-                                static_cast<float>(lobe.alpha),
-                                static_cast<float>(weight / lobe.above)};
-      };
-      lobes[0][k] = view(shape.base, static_cast<double>(m.f0) * shape.scale);
-      lobes[1][k] = view(shape.rise, shape.bias);
-    }
-    std::vector<vec3> radiance(receiver_of.size()), rise(receiver_of.size());
-    glossy::shade(light, lobes[0], radiance);
-    glossy::shade(light, lobes[1], rise);
-    for (std::size_t k = 0; k < rise.size(); ++k) radiance[k] += rise[k];
-    for (vec3& value : radiance) value = glm::max(value, vec3(0.0F));
-    return radiance;
-  }
-
-  [[nodiscard]] glossy::HitRadiance hitLight() const {
-    return [this](std::span<const geometry::Ray> rays, std::span<const geometry::Hit> hits,
-                  std::span<vec3> radiance) {
-      std::vector<render::SurfacePoint> points;
-      std::vector<vec3> albedo;
-      for (std::size_t k = 0; k < hits.size(); ++k) {
-        const SurfaceSample seen =
-            render::sampleSurface(scene_, rays[k], hits[k], {.spread = 0.05F});
-        points.push_back(seen.point);
-        albedo.push_back(sent_.of(seen));
-      }
-      std::vector<vec3> direct(points.size(), vec3(0.0F)), indirect(points.size(), vec3(0.0F));
-      illumination_.evaluate(points, direct, indirect);
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        radiance[k] = albedo[k] * (direct[k] + indirect[k]) / static_cast<float>(kPi);
-      }
-    };
-  }
-
   void addHighlights(std::vector<vec3>& specular) const {
     for (std::size_t k = 0; k < specular.size(); ++k) specular[k] += highlights_[k];
   }
@@ -210,15 +165,20 @@ class Measurement {
   [[nodiscard]] std::vector<double> luminanceOf(const std::vector<vec3>& specular) const {
     std::vector<vec3> sum(matte_);
     for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += specular[k];
+    return pixelLuminance(sum);
+  }
+
+  [[nodiscard]] std::vector<double> pixelLuminance(const std::vector<vec3>& per_sample) const {
     std::vector<double> luminance;
     for (const auto& pixel : pixels_.pixels) {
-      luminance.push_back(static_cast<double>(color::luminance(pixels_.mean(pixel, sum))));
+      luminance.push_back(static_cast<double>(color::luminance(pixels_.mean(pixel, per_sample))));
     }
     return luminance;
   }
 
   const render::ViewScene& scene_;
   const render::Illumination& illumination_;
+  const render::Illumination& best_;
   GlossyPictureOptions options_;
   render::SentAlbedo sent_;
   PixelSamples pixels_;
@@ -241,45 +201,22 @@ std::vector<reference::Beam> beamsOf(const render::CameraFrame& frame, const Pix
   return beams;
 }
 
-/// Figures of a method over the pixels that `in` takes.
-GlossyPictureRow rowOf(const MethodResult& method,
-                       const std::vector<reference::BeamEstimate>& truth, double whole_mean,
-                       const std::function<bool(std::size_t)>& in) {
-  GlossyPictureRow row;
-  row.method = method.name;
-  row.seconds = method.seconds;
-  double squares = 0.0, sum = 0.0, noise = 0.0;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    if (!in(i)) continue;
-    const double a = color::luminance(truth[i].halves[0]);
-    const double b = color::luminance(truth[i].halves[1]);
-    const double found = method.luminance[i];
-    squares += (found - a) * (found - b);
-    sum += found - 0.5 * (a + b);
-    noise += 0.25 * (a - b) * (a - b);
-    row.mean += 0.5 * (a + b);
-    ++row.pixels;
-  }
-  const auto count = static_cast<double>(std::max<std::size_t>(row.pixels, 1));
-  row.mean /= count;
-  row.rms = std::sqrt(std::max(0.0, squares / count)) / whole_mean;
-  row.bias = sum / count / whole_mean;
-  row.noise = std::sqrt(noise / count) / whole_mean;
-  return row;
-}
-
 }  // namespace
 
-Result<std::vector<GlossyPictureRow>> measureGlossyPictures(
-    const render::ViewScene& scene, const render::Illumination& illumination,
-    const reference::ReferenceScene& reference, const scene::Camera& camera,
-    const GlossyPictureOptions& options, const Job& job) {
+Result<GlossyPictures> measureGlossyPictures(const render::ViewScene& scene,
+                                             const PictureLights& lights,
+                                             const reference::ReferenceScene& reference,
+                                             const scene::Camera& camera,
+                                             const GlossyPictureOptions& options, const Job& job) {
   const auto frame =
       render::CameraFrame::create(camera, options.width, options.height, scene.mesh().origin);
   if (!frame) return frame.error();
-  Measurement measurement(scene, illumination, *frame, options);
+  Measurement measurement(scene, lights, *frame, options);
   const PixelSamples& pixels = measurement.pixels();
-  std::vector<MethodResult> methods{measurement.matte()};
+  std::vector<MethodResult> methods{measurement.matte(lights.quick, "matte alone")};
+  if (&lights.best != &lights.quick) {
+    methods.push_back(measurement.matte(lights.best, "matte alone, final"));
+  }
   const auto rays = measurement.rays(camera, job);
   if (!rays) return rays.error();
   methods.push_back(*rays);
@@ -289,40 +226,7 @@ Result<std::vector<GlossyPictureRow>> measureGlossyPictures(
   const auto truth = reference::traceBeams(reference, beamsOf(*frame, pixels, scene.mesh().origin),
                                            {.paths = options.paths, .seed = options.seed}, job);
   if (job.cancelled()) return Error{"bench glossy", "cancelled", ""};
-
-  double whole = 0.0;
-  for (const auto& beam : truth) whole += color::luminance(beam.mean());
-  whole /= static_cast<double>(std::max<std::size_t>(truth.size(), 1));
-  std::set<std::uint32_t> materials;
-  for (const auto& pixel : pixels.pixels) {
-    if (pixel.reflects) materials.insert(pixel.material);
-  }
-  std::vector<GlossyPictureRow> rows;
-  for (const MethodResult& method : methods) {
-    const auto add = [&](const std::string& part, const std::function<bool(std::size_t)>& in) {
-      rows.push_back(rowOf(method, truth, whole, in));
-      rows.back().camera = camera.name;
-      rows.back().part = part;
-    };
-    add("picture", [](std::size_t) { return true; });
-    for (const std::uint32_t material : materials) {
-      const auto& m = reference.materials()[material];
-      add(fmt::format("{}, roughness {:.2f}", m.name, m.roughness), [&](std::size_t i) {
-        return pixels.pixels[i].reflects && pixels.pixels[i].material == material;
-      });
-    }
-    add("matte surfaces", [&](std::size_t i) { return !pixels.pixels[i].reflects; });
-  }
-  return rows;
-}
-
-std::string formatGlossyPictureRows(const std::vector<GlossyPictureRow>& rows) {
-  std::string text = "camera,method,part,pixels,mean,rms,bias,noise,seconds\n";
-  for (const GlossyPictureRow& r : rows) {
-    text += fmt::format("\"{}\",\"{}\",\"{}\",{},{:.6g},{:.6g},{:.6g},{:.6g},{:.4g}\n", r.camera,
-                        r.method, r.part, r.pixels, r.mean, r.rms, r.bias, r.noise, r.seconds);
-  }
-  return text;
+  return judgePictures({camera.name, pixels, reference.materials(), truth}, methods);
 }
 
 }  // namespace soffit::design

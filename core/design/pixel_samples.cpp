@@ -40,8 +40,10 @@ PixelSamples samplePixels(const render::ViewScene& scene, const render::CameraFr
       std::map<std::uint32_t, int> reflecting;
       for (std::size_t k = 0; k < pattern.size(); ++k) {
         if (!first[k].surface.valid()) continue;
-        all.samples.push_back(render::sampleSurface(
-            scene, rays[k], first[k].surface, {.spread = static_cast<float>(frame.pixelAngle())}));
+        all.samples.push_back(
+            render::sampleSurface(scene, rays[k], first[k].surface,
+                                  {.spread = static_cast<float>(frame.pixelAngle()),
+                                   .texture_share = render::textureShare(pattern.size())}));
         const render::SurfaceSample& sample = all.samples.back();
         if (scene.material(sample.point.triangle).f0 > 0.0F) ++reflecting[sample.material];
       }

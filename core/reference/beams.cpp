@@ -18,7 +18,9 @@ std::vector<BeamEstimate> traceBeams(const ReferenceScene& scene, std::span<cons
       Tracer tracer(scene, beam);
       for (std::size_t half = 0; half < 2; ++half) {
         const std::uint64_t seed = mixBits(options.seed * 0x10001U + 2 * i + half);
-        estimates[i].halves[half] = tracer.run(options.paths, seed).indirect;
+        const Tally tally = tracer.run(options.paths, seed);
+        estimates[i].halves[half] = tally.indirect;
+        estimates[i].direct[half] = tally.once;
       }
     }
     done += end - begin;

@@ -18,6 +18,8 @@ namespace soffit::reference {
 /// the square of that picture's error, free of the noise of either.
 struct BeamEstimate {
   std::array<dvec3, 2> halves{};
+  /// Of that, light that comes straight from luminaires and surroundings to the surface seen.
+  std::array<dvec3, 2> direct{};
   [[nodiscard]] dvec3 mean() const { return 0.5 * (halves[0] + halves[1]); }
 };
 

@@ -67,7 +67,7 @@ dvec3 Tracer::draw(std::uint32_t path, std::uint32_t vertex, std::uint32_t group
 Tally Tracer::run(std::uint32_t paths, std::uint64_t seed) {
   seed_ = mixBits(seed + 0x9e3779b97f4a7c15ULL);
   rng_ = Rng(seed_, mixBits(seed_));
-  direct_ = indirect_ = dvec3(0.0);
+  sums_.fill(dvec3(0.0));
   ray_count_ = 0;
   depth_ = 0;
   start(paths);
@@ -78,7 +78,8 @@ Tally Tracer::run(std::uint32_t paths, std::uint64_t seed) {
     paths_.swap(next_);
     ++depth_;
   }
-  return {direct_ / double(paths), indirect_ / double(paths), ray_count_};
+  for (dvec3& sum : sums_) sum /= double(paths);
+  return {sums_[0], sums_[1] + sums_[2], sums_[1], ray_count_};
 }
 
 void Tracer::start(std::uint32_t paths) {

@@ -8,6 +8,8 @@
 #include "core/reference/quantity.h"
 #include "core/reference/reference_scene.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -18,6 +20,7 @@ namespace soffit::reference {
 struct Tally {
   dvec3 direct{0.0};    ///< without reflection
   dvec3 indirect{0.0};  ///< after at least one
+  dvec3 once{0.0};      ///< of that, after one alone
   std::uint64_t rays = 0;
 };
 
@@ -107,9 +110,9 @@ class Tracer {
                   const dvec3& wo, const dvec3& beta);
   [[nodiscard]] bool bodyBetween(const Shadow& shadow) const;
   [[nodiscard]] dvec3 draw(std::uint32_t path, std::uint32_t vertex, std::uint32_t group);
-  [[nodiscard]] dvec3& bin() { return depth_ == 0 ? direct_ : indirect_; }
+  [[nodiscard]] dvec3& bin() { return sums_[std::min<std::size_t>(depth_, sums_.size() - 1)]; }
   /// For what a ray meets: light mirrored by glass is indirect.
-  [[nodiscard]] dvec3& binOf(const Path& path) { return path.sheets > 0 ? indirect_ : bin(); }
+  [[nodiscard]] dvec3& binOf(const Path& path) { return path.sheets > 0 ? sums_.back() : bin(); }
 
   const ReferenceScene& scene_;
   dvec3 origin_;
@@ -130,9 +133,8 @@ class Tracer {
   std::vector<Crossing> crossings_;
   Rng rng_{0};
   std::uint64_t seed_ = 0;
-  std::uint32_t depth_ = 0;  ///< reflections so far
-  dvec3 direct_{0.0};
-  dvec3 indirect_{0.0};
+  std::uint32_t depth_ = 0;      ///< reflections so far
+  std::array<dvec3, 3> sums_{};  ///< without reflection, after one, after more
   std::uint64_t ray_count_ = 0;
 };
 

@@ -120,12 +120,22 @@ Result<void> Lighting::repaint(std::shared_ptr<const Solver> solver, const Job& 
   return {};
 }
 
-std::optional<Planes> Lighting::totalUnder(const Solver& painted) const {
+std::optional<Planes> Lighting::under(const Solver& painted, const Planes& thrown,
+                                      LightPart part) const {
   DirectSums sums;
   for (std::size_t i = 0; i < emitters_.size(); ++i) {
     if (emitters_[i].gain <= 0.0) continue;
     if (!entries_[i].direct) return std::nullopt;
     sums.add(entries_[i].column, emitters_[i].gain, emitters_[i].color, painted.operators());
+  }
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (thrown[c].empty()) continue;
+    Column one;
+    one.direct = thrown[c];
+    one.lit.assign(painted.operators().texels.receivers.clusters.size(), 1);
+    dvec3 color(0.0);
+    color[static_cast<int>(c)] = 1.0;
+    sums.add(one, 1.0, color, painted.operators());
   }
   const std::vector<float> open = openShare();
   sums.reflect(painted, open);
@@ -138,8 +148,16 @@ std::optional<Planes> Lighting::totalUnder(const Solver& painted) const {
     together.push_back({&outside[i], outdoors_.weight(i)});
   }
   Planes total;
-  spread({}, together, painted.operators(), total);
+  spread({}, together, painted.operators(), total, part);
   return total;
+}
+
+std::optional<Planes> Lighting::totalUnder(const Solver& painted) const {
+  return under(painted, {}, LightPart::all);
+}
+
+std::optional<Planes> Lighting::reflectedUnder(const Solver& painted, const Planes& thrown) const {
+  return under(painted, thrown, LightPart::reflected);
 }
 
 void Lighting::setMix(std::size_t i, double gain, const dvec3& color) {

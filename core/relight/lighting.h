@@ -69,6 +69,12 @@ class Lighting {
   /// What shines in from outside.
   [[nodiscard]] std::vector<WeightedColumn> outdoorLights() const;
 
+  /// Reflected light alone under other reflectances, with that of `thrown`: light that reaches the
+  /// texels by ways that the operators do not know (RGB lux per slot; empty: none). What is thrown
+  /// is not in the result, its reflections are. Nothing where totalUnder() has nothing.
+  [[nodiscard]] std::optional<Planes> reflectedUnder(const Solver& painted,
+                                                     const Planes& thrown) const;
+
   /// New gain and colour of luminaire i: no light is computed.
   void setMix(std::size_t i, double gain, const dvec3& color);
 
@@ -106,6 +112,8 @@ class Lighting {
     bool ready = false;   ///< all of the column is
   };
   void compute(std::size_t i);
+  [[nodiscard]] std::optional<Planes> under(const Solver& painted, const Planes& thrown,
+                                            LightPart part) const;
   Result<void> computeOutdoors(const Job& job);
   /// The entry whose column is the light of this emitter, entries_.size() for none.
   [[nodiscard]] std::size_t columnFor(const light::Emitter& emitter, std::size_t at) const;

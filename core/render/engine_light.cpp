@@ -10,7 +10,29 @@
 namespace soffit::render {
 
 EngineLight::EngineLight(std::shared_ptr<const relight::Lighting> lighting)
-    : lighting_(std::move(lighting)), indirect_(lighting_->indirectTotal()) {
+    : EngineLight(lighting, lighting->indirectTotal()) {}
+
+Result<std::shared_ptr<const EngineLight>> EngineLight::withThrownLight(
+    std::shared_ptr<const relight::Lighting> lighting, const ViewScene& scene,
+    const ThrownLightOptions& options, const Job& job) {
+  if (!scene.hasSpecular()) return std::make_shared<const EngineLight>(std::move(lighting));
+  const auto thrown = thrownLight(scene, *lighting, options, job);
+  if (!thrown) return thrown.error();
+  std::vector<scene::Material> matte = scene.materials();
+  for (scene::Material& material : matte) material.specular = 0.0;
+  auto indirect = lighting->reflectedUnder(*lighting->solver().repainted(matte), *thrown);
+  if (!indirect) return std::make_shared<const EngineLight>(std::move(lighting));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::vector<float>& more = (*thrown)[c];
+    for (std::size_t s = 0; s < more.size(); ++s) (*indirect)[c][s] += more[s];
+  }
+  return std::shared_ptr<const EngineLight>(
+      new EngineLight(std::move(lighting), std::move(*indirect)));
+}
+
+EngineLight::EngineLight(std::shared_ptr<const relight::Lighting> lighting,
+                         relight::Planes indirect)
+    : lighting_(std::move(lighting)), indirect_(std::move(indirect)) {
   const auto emitters = lighting_->emitters();
   for (std::size_t i = 0; i < emitters.size(); ++i) {
     if (emitters[i].gain <= 0.0) continue;
@@ -31,8 +53,7 @@ EngineLight::EngineLight(std::shared_ptr<const relight::Lighting> lighting)
     }
   }
   for (const daylight::Spot& spot : lighting_->environment()->spots()) {
-    const light::Emitter disc =
-        relight::farDisc(spot, lighting_->solver().scene().mesh->bounds());
+    const light::Emitter disc = relight::farDisc(spot, lighting_->solver().scene().mesh->bounds());
     lamps_.push_back(
         {light::PreparedLight(disc), lighting_->allBodies(), vec3(spot.normal_illuminance)});
   }

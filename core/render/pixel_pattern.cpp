@@ -3,6 +3,7 @@
 
 #include "core/math/sampling.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -32,6 +33,10 @@ std::vector<vec2> pixelPattern(int samples) {
     pattern.emplace_back(tent(radicalInverse2(i) + shift), tent(sobolSecond(i) + shift));
   }
   return pattern;
+}
+
+float textureShare(std::size_t samples) {
+  return 1.0F / std::sqrt(static_cast<float>(std::max<std::size_t>(samples, 1)));
 }
 
 }  // namespace soffit::render

@@ -3,6 +3,7 @@
 
 #include "core/math/vec.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace soffit::render {
@@ -15,5 +16,10 @@ namespace soffit::render {
 /// filtered value and pixels stay independent (Ernst et al. 2006, "Filter Importance Sampling").
 /// All pixels share the pattern: edges come out regular, without noise.
 std::vector<vec2> pixelPattern(int samples);
+
+/// Share of a pixel's width for which one of so many samples stands: what textures are averaged
+/// over per sample (1 / sqrt(n), as in pbrt, Pharr et al. 2023, ch. 10.1). The whole width for each
+/// would blur a texture twice.
+float textureShare(std::size_t samples);
 
 }  // namespace soffit::render

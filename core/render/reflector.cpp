@@ -69,14 +69,11 @@ std::uint64_t cellOf(const SurfaceSample& s, float size) {
 
 }  // namespace
 
-int Reflector::rayCount(const ReflectingPixel& pixel) const {
-  const ViewMaterial& m = scene_.material(pixel.samples.front().point.triangle);
-  if (m.alpha < kMirrorAlpha) return static_cast<int>(pixel.samples.size());
+int Reflector::rayCount(const ViewMaterial& m) const {
   return std::max(options_.reflection_samples, 1) * (m.f0 > kStrong ? 2 : 1);
 }
 
-void Reflector::render(std::span<const ReflectingPixel> pixels, ReflectorScratch& s,
-                       SpecularLayer& layer) const {
+void Reflector::follow(std::span<const ReflectingPixel> pixels, ReflectorScratch& s) const {
   s.rays.clear();
   s.paths.clear();
   s.shadow_rays.clear();
@@ -93,6 +90,15 @@ void Reflector::render(std::span<const ReflectingPixel> pixels, ReflectorScratch
     traceWave(s, depth == options_.max_reflections);
   }
   traceShadows(s);
+}
+
+void Reflector::render(std::span<ReflectingPixel> pixels, ReflectorScratch& s,
+                       SpecularLayer& layer) const {
+  for (ReflectingPixel& pixel : pixels) {
+    pixel.part = phaseOf(pixel.x, pixel.y);
+    pixel.rays = rayCount(scene_.material(pixel.samples.front().point.triangle));
+  }
+  follow(pixels, s);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const SurfaceSample& first = pixels[i].samples.front();
     const ViewMaterial& m = scene_.material(first.point.triangle);
@@ -111,11 +117,46 @@ void Reflector::render(std::span<const ReflectingPixel> pixels, ReflectorScratch
   }
 }
 
+void Reflector::renderWhole(std::span<const ReflectingPixel> pixels, ReflectorScratch& s,
+                            SpecularLayer& layer) const {
+  s.alone.clear();
+  for (const ReflectingPixel& pixel : pixels) {
+    const auto count = static_cast<int>(pixel.samples.size());
+    for (int k = 0; k < count; ++k) {
+      const auto sample = pixel.samples.subspan(static_cast<std::size_t>(k), 1);
+      const int block =
+          kPhases * kPhases * rayCount(scene_.material(sample.front().point.triangle));
+      // Neighbours start elsewhere in the set, lest they all err alike.
+      const auto part = static_cast<std::uint32_t>(phaseOf(pixel.x, pixel.y)) *
+                            static_cast<std::uint32_t>(count) +
+                        static_cast<std::uint32_t>(k);
+      s.alone.push_back({pixel.x, pixel.y, sample, part, (block + count - 1) / count});
+    }
+  }
+  follow(s.alone, s);
+  std::size_t at = 0;
+  for (const ReflectingPixel& pixel : pixels) {
+    vec3 sum(0.0F);
+    for (std::size_t k = 0; k < pixel.samples.size(); ++k, ++at) {
+      vec3 own(0.0F);
+      for (std::uint32_t ray = s.first_ray[at]; ray < s.first_ray[at + 1]; ++ray) {
+        own += s.radiance[ray];
+      }
+      sum += own / static_cast<float>(s.first_ray[at + 1] - s.first_ray[at]);
+    }
+    auto& out =
+        layer.pixels[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(layer.width) +
+                     static_cast<std::size_t>(pixel.x)];
+    out.radiance = sum / static_cast<float>(pixel.samples.size());
+    out.whole = true;
+  }
+}
+
 void Reflector::spawn(const ReflectingPixel& pixel, ReflectorScratch& s) const {
   const ViewMaterial& m = scene_.material(pixel.samples.front().point.triangle);
-  const int count = rayCount(pixel);
+  const int count = m.alpha < kMirrorAlpha ? static_cast<int>(pixel.samples.size()) : pixel.rays;
   const dvec2 turn = hashed(options_.seed);
-  const std::uint32_t base = phaseOf(pixel.x, pixel.y) * static_cast<std::uint32_t>(count);
+  const std::uint32_t base = pixel.part * static_cast<std::uint32_t>(count);
   for (int k = 0; k < count; ++k) {
     const SurfaceSample& from = pixel.samples[static_cast<std::size_t>(k) % pixel.samples.size()];
     const Frame frame(from.point.shading_normal);
@@ -136,10 +177,11 @@ void Reflector::spawn(const ReflectingPixel& pixel, ReflectorScratch& s) const {
   // The highlight belongs to the pixel: its first ray takes it for all.
   const auto rays = static_cast<float>(count);
   const auto first = static_cast<std::uint32_t>(s.rays.size()) - static_cast<std::uint32_t>(count);
-  const std::uint32_t phase = phaseOf(pixel.x, pixel.y);
   aimAtLuminaires(
       {pixel.samples.front(), m.f0, m.alpha, rays, vec3(rays), first},
-      [&](std::size_t e) { return fraction(r2Sequence(phase) + hashed(options_.seed + e + 1)); },
+      [&](std::size_t e) {
+        return fraction(r2Sequence(pixel.part) + hashed(options_.seed + e + 1));
+      },
       s);
 }
 
@@ -226,8 +268,8 @@ void Reflector::meetEmitter(std::size_t i, ReflectorScratch& s) const {
                               static_cast<double>(hit.t), dvec3(hit.normal));
     share = path.pdf / (path.pdf + static_cast<float>(pdf));
   }
-  s.radiance[path.target] +=
-      s.first[i].through * share * path.throughput * scene_.emitted(hit.emitter, hit.normal, -s.rays[i].direction);
+  s.radiance[path.target] += s.first[i].through * share * path.throughput *
+                             scene_.emitted(hit.emitter, hit.normal, -s.rays[i].direction);
 }
 
 void Reflector::meetSurface(std::size_t i, bool last, ReflectorScratch& s) const {
@@ -235,11 +277,13 @@ void Reflector::meetSurface(std::size_t i, bool last, ReflectorScratch& s) const
   const SurfaceSample at = sampleSurface(scene_, s.rays[i], s.first[i].surface,
                                          {.spread = path.spread, .footprint = path.footprint});
   const vec3 arriving = s.first[i].through * path.throughput;
-  const vec3 factor = arriving * at.albedo / kPiF;
+  const ViewMaterial& m = scene_.material(at.point.triangle);
+  // Beyond the last reflection a rough lobe stands as so much more diffuse reflection.
+  const bool ends = last && m.alpha >= kMirrorAlpha;
+  const vec3 factor = arriving * (ends ? sent_.of(at) : at.albedo) / kPiF;
   if (color::luminance(factor) > 0.0F) {
     s.arrivals.push_back({cellOf(at, at.footprint), path.target, factor, at.point, at.surface});
   }
-  const ViewMaterial& m = scene_.material(at.point.triangle);
   if (last || m.f0 <= 0.0F) return;
   const float fresnel = schlick(m.f0, glm::dot(at.point.shading_normal, at.to_eye));
   if (color::luminance(arriving) * fresnel < kLeastThroughput) return;

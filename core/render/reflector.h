@@ -6,6 +6,7 @@
 #include "core/render/illumination_batch.h"
 #include "core/render/microfacet.h"
 #include "core/render/render_options.h"
+#include "core/render/sent_albedo.h"
 #include "core/render/specular_layer.h"
 #include "core/render/surface_sample.h"
 
@@ -21,6 +22,9 @@ struct ReflectingPixel {
   int x = 0;
   int y = 0;
   std::span<const SurfaceSample> samples;  ///< at least one, all of one material
+  /// Rays into a rough lobe: which part of the low-discrepancy set, of how many rays each.
+  std::uint32_t part = 0;
+  int rays = 0;
 };
 
 /// Memory of a Reflector, kept between tiles.
@@ -58,6 +62,7 @@ struct ReflectorScratch {
   std::vector<std::uint8_t> blocked;
   std::vector<vec3> radiance;            ///< per first ray
   std::vector<std::uint32_t> first_ray;  ///< per pixel and one past the last
+  std::vector<ReflectingPixel> alone;    ///< samples as pixels of their own
   IlluminationBatch batch;
 };
 
@@ -69,15 +74,26 @@ struct ReflectorScratch {
 /// light, evaluated once per cell of about the size that the reflection resolves, and their own
 /// lobe, which is taken no narrower than the one it is seen through (Kaplanyan & Dachsbacher 2013,
 /// "Path Space Regularization": a lamp in a mirror in a dull floor would be nothing but noise).
+/// Where the last reflection ends, a rough lobe's light is taken as reflected diffusely (SentAlbedo).
 class Reflector {
  public:
   Reflector(const ViewScene& scene, const Illumination& illumination, const RenderOptions& options,
             float pixel_angle)
-      : scene_(scene), illumination_(illumination), options_(options), pixel_angle_(pixel_angle) {}
+      : scene_(scene),
+        illumination_(illumination),
+        options_(options),
+        pixel_angle_(pixel_angle),
+        sent_(scene) {}
 
-  /// Writes the pixels of the layer.
-  void render(std::span<const ReflectingPixel> pixels, ReflectorScratch& scratch,
+  /// Writes the pixels of the layer: each traces its part of the set of a block (specular_layer.h).
+  void render(std::span<ReflectingPixel> pixels, ReflectorScratch& scratch,
               SpecularLayer& layer) const;
+
+  /// Writes pixels of the layer that each trace the whole set of a block, spread over all their
+  /// samples (of any materials that reflect), and aim at luminaires from every sample: for surfaces
+  /// so curved that the pixels of a block have not one lobe. Leaves coverage as it is.
+  void renderWhole(std::span<const ReflectingPixel> pixels, ReflectorScratch& scratch,
+                   SpecularLayer& layer) const;
 
  private:
   /// A lobe that light is gathered through.
@@ -88,6 +104,7 @@ class Reflector {
     vec3 throughput;       ///< of what it reflects
     std::uint32_t target;  ///< that it is added to
   };
+  void follow(std::span<const ReflectingPixel> pixels, ReflectorScratch& s) const;
   void spawn(const ReflectingPixel& pixel, ReflectorScratch& s) const;
   /// u_of(i) gives the point of the unit square for luminaire i.
   template <class Points>
@@ -97,12 +114,13 @@ class Reflector {
   void meetEmitter(std::size_t i, ReflectorScratch& s) const;
   void meetSurface(std::size_t i, bool last, ReflectorScratch& s) const;
   void lightArrivals(ReflectorScratch& s) const;
-  [[nodiscard]] int rayCount(const ReflectingPixel& pixel) const;
+  [[nodiscard]] int rayCount(const ViewMaterial& material) const;
 
   const ViewScene& scene_;
   const Illumination& illumination_;
   const RenderOptions& options_;
   float pixel_angle_;
+  SentAlbedo sent_;
 };
 
 }  // namespace soffit::render

@@ -13,6 +13,15 @@ enum class Quantity {
   illuminance  ///< lux on the surfaces as they stand: no reflections, no bumps
 };
 
+/// Where the light of rough specular surfaces comes from. Mirrors trace rays by any method.
+enum class Reflections : std::uint8_t {
+  automatic,  ///< rays in final pictures; in quick ones harmonics
+  none,       ///< specular surfaces show their diffuse light alone
+  maps,       ///< cube maps of the lit room at probes
+  harmonics,  ///< spherical harmonics where five bands serve the lobe, else maps
+  rays
+};
+
 struct RenderOptions {
   int width = 1280;
   int height = 800;
@@ -20,6 +29,8 @@ struct RenderOptions {
   Quantity quantity = Quantity::luminance;
   std::uint64_t seed = 0;  ///< turns the sampling of rough reflections; nothing else is random
 
+  Reflections reflections = Reflections::automatic;
+  bool quick = false;  ///< a picture that must be there soon rather than right
   int reflection_samples =
       4;  ///< rays per pixel into strong rough lobes, times four of the lobe; >= 1
   int max_reflections = 2;  ///< mirrors seen in mirrors; 0: no reflections at all

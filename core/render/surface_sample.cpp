@@ -71,18 +71,19 @@ vec3 vertexNormal(const geometry::Mesh& m, const Corners& c, const vec3& front) 
 }
 
 /// Applies the material's maps to the albedo and to the (front) normal.
-void applyMaps(const geometry::Mesh& m, const Corners& c, const ViewMaterial& material, bool bump,
-               SurfaceSample& s, vec3& normal) {
+void applyMaps(const geometry::Mesh& m, const Corners& c, const ViewMaterial& material,
+               const SurfaceOptions& options, SurfaceSample& s, vec3& normal) {
   if (m.uvs.empty() || (material.diffuse_map == nullptr && material.normal_map == nullptr)) return;
   const vec2 uv = c.mix(m.uvs);
   vec3 along_u(0.0F);
   vec3 along_v(0.0F);
   const bool known = geometry::textureTangents(m, c.t, along_u, along_v);
   const auto look = [&](const MipMap& map) {
-    return map.at(uv, known ? texelWidth(map, along_u, along_v, s.footprint) : 1.0F);
+    return map.at(
+        uv, known ? texelWidth(map, along_u, along_v, options.texture_share * s.footprint) : 1.0F);
   };
   if (material.diffuse_map) s.albedo *= look(*material.diffuse_map);
-  if (material.normal_map && known && bump) {
+  if (material.normal_map && known && !options.plain_normals) {
     normal = bumped(normal, along_u, along_v, look(*material.normal_map));
   }
 }
@@ -125,7 +126,7 @@ SurfaceSample sampleSurface(const ViewScene& scene, const geometry::Ray& ray,
     }
   }
   s.point.position = drawnTowardEye(s.point.position, facing, s.to_eye, s.footprint);
-  applyMaps(m, c, material, !options.plain_normals, s, normal);
+  applyMaps(m, c, material, options, s, normal);
   if (!options.plain_normals) s.point.shading_normal = towardEye(side * normal, s.to_eye);
   return s;
 }

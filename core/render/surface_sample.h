@@ -21,6 +21,8 @@ struct SurfaceSample {
 struct SurfaceOptions {
   float spread = 0.0F;     ///< rad: the footprint grows by this times the distance
   float footprint = 0.0F;  ///< m, at the ray's origin
+  float texture_share =
+      1.0F;  ///< of the footprint that textures are averaged over: rays beside it do the rest
   bool plain_normals =
       false;  ///< shading normal = geometric normal (illuminance of the real plane)
 };

@@ -3,6 +3,7 @@
 
 #include "core/color/luminance.h"
 #include "core/render/pixel_mean.h"
+#include "core/render/pixel_pattern.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,12 +46,14 @@ vec4 pictureArea(const CameraFrame& camera, const Box& box) {
 }  // namespace
 
 TileRenderer::TileRenderer(const ViewScene& scene, const CameraFrame& camera,
-                           const Illumination& illumination, const RenderOptions& options)
+                           const Illumination& illumination, const RenderOptions& options,
+                           const QuickReflections* quick)
     : scene_(scene),
       camera_(camera),
       options_(options),
       illumination_(illumination),
-      reflector_(scene, illumination, options, static_cast<float>(camera.pixelAngle())) {
+      reflector_(scene, illumination, options, static_cast<float>(camera.pixelAngle())),
+      quick_(quick) {
   for (const light::Emitter& e : scene.emitters())
     luminaires_.push_back(pictureArea(camera, e.bounds));
 }
@@ -124,6 +127,7 @@ void TileRenderer::groupSamples(std::span<const PixelTask> tasks, std::size_t pe
                                 TileScratch& s) const {
   const SurfaceOptions how{.spread = static_cast<float>(camera_.pixelAngle()),
                            .footprint = 0.0F,
+                           .texture_share = textureShare(per_pixel),
                            .plain_normals = options_.quantity == Quantity::illuminance};
   s.samples.resize(s.rays.size());
   s.group_of.assign(s.rays.size(), kNoGroup);
@@ -213,12 +217,56 @@ void TileRenderer::reflect(std::span<const PixelTask> tasks, std::size_t per_pix
     s.mirror_counts.push_back(static_cast<std::uint32_t>(s.mirror_samples.size() - before));
     s.mirrors.push_back({tasks[pixel].x, tasks[pixel].y, {}});
   }
+  listMirrors(s);
+  if (quick_ != nullptr) {
+    s.rough.clear();
+    std::erase_if(s.mirrors, [&](const ReflectingPixel& pixel) {
+      const auto& m = scene_.material(pixel.samples.front().point.triangle);
+      if (m.alpha < kMirrorAlpha) return false;
+      s.rough.push_back(pixel);
+      return true;
+    });
+    quick_->render(s.rough, layer);
+  }
+  reflector_.render(s.mirrors, s.reflector, layer);
+}
+
+/// Gives each reflecting pixel its samples.
+void TileRenderer::listMirrors(TileScratch& s) const {
   std::size_t begin = 0;
   for (std::size_t i = 0; i < s.mirrors.size(); ++i) {
     s.mirrors[i].samples = std::span(s.mirror_samples).subspan(begin, s.mirror_counts[i]);
     begin += s.mirror_counts[i];
   }
-  reflector_.render(s.mirrors, s.reflector, layer);
+}
+
+void TileRenderer::reflectWhole(std::span<const PixelTask> tasks, std::span<const vec2> pattern,
+                                TileScratch& s, SpecularLayer& layer) const {
+  trace(tasks, pattern, s);
+  s.mirror_samples.clear();
+  s.mirror_counts.clear();
+  s.mirrors.clear();
+  const std::size_t per_pixel = pattern.size();
+  for (std::size_t pixel = 0; pixel < tasks.size(); ++pixel) {
+    const std::size_t before = s.mirror_samples.size();
+    for (std::size_t i = pixel * per_pixel; i < (pixel + 1) * per_pixel; ++i) {
+      if (!s.first[i].surface.valid()) continue;
+      if (scene_.material(s.first[i].surface.triangle).f0 <= 0.0F) continue;
+      s.mirror_samples.push_back(sampleSurface(scene_, s.rays[i], s.first[i].surface,
+                                               {.spread = static_cast<float>(camera_.pixelAngle()),
+                                                .texture_share = textureShare(per_pixel)}));
+    }
+    const std::size_t found = s.mirror_samples.size() - before;
+    const auto [x, y, share] = tasks[pixel];
+    auto& out = layer.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(layer.width) +
+                             static_cast<std::size_t>(x)];
+    out.coverage = static_cast<float>(found) / static_cast<float>(per_pixel);
+    if (found == 0) continue;
+    s.mirror_counts.push_back(static_cast<std::uint32_t>(found));
+    s.mirrors.push_back({x, y, {}});
+  }
+  listMirrors(s);
+  reflector_.renderWhole(s.mirrors, s.reflector, layer);
 }
 
 }  // namespace soffit::render

@@ -5,6 +5,7 @@
 #include "core/render/film.h"
 #include "core/render/first_hit.h"
 #include "core/render/illumination_batch.h"
+#include "core/render/quick_reflections.h"
 #include "core/render/reflector.h"
 #include "core/render/render_options.h"
 
@@ -38,7 +39,7 @@ struct TileScratch {
   std::vector<std::uint32_t> first_group;  ///< per pixel and one past the last
   std::vector<SurfaceSample> mirror_samples;
   std::vector<std::uint32_t> mirror_counts;
-  std::vector<ReflectingPixel> mirrors;
+  std::vector<ReflectingPixel> mirrors, rough;
   std::vector<PixelTask> tasks;
   std::size_t central = 0;  ///< the sample of a pixel that is nearest to its centre
   IlluminationBatch batch;
@@ -48,13 +49,19 @@ struct TileScratch {
 /// Renders a handful of pixels at once: rays, light, film. Stateless but for its scratch.
 class TileRenderer {
  public:
+  /// quick: what rough reflections come from instead of rays; null for rays.
   TileRenderer(const ViewScene& scene, const CameraFrame& camera, const Illumination& illumination,
-               const RenderOptions& options);
+               const RenderOptions& options, const QuickReflections* quick = nullptr);
 
   /// Renders the pixels with the samples of a pattern (pixelPattern()). Writes the film's pixels;
   /// and the layer's, unless it is null or has no pixels.
   void render(std::span<const PixelTask> tasks, std::span<const vec2> pattern, TileScratch& scratch,
               Film& film, SpecularLayer* layer) const;
+
+  /// Traces the reflections of pixels anew, each by the whole set of a block (standsAlone()) and
+  /// all of its samples. Writes the layer's pixels.
+  void reflectWhole(std::span<const PixelTask> tasks, std::span<const vec2> pattern,
+                    TileScratch& scratch, SpecularLayer& layer) const;
 
  private:
   void trace(std::span<const PixelTask> tasks, std::span<const vec2> pattern, TileScratch& s) const;
@@ -63,6 +70,7 @@ class TileRenderer {
   void groupSamples(std::span<const PixelTask> tasks, std::size_t per_pixel, TileScratch& s) const;
   void resolve(const PixelTask& task, std::size_t pixel, std::size_t per_pixel,
                const TileScratch& s, Film& film) const;
+  void listMirrors(TileScratch& s) const;
   void reflect(std::span<const PixelTask> tasks, std::size_t per_pixel, TileScratch& s,
                const Film& film, SpecularLayer& layer) const;
 
@@ -71,6 +79,7 @@ class TileRenderer {
   const RenderOptions& options_;
   const Illumination& illumination_;
   Reflector reflector_;
+  const QuickReflections* quick_;
   std::vector<vec4> luminaires_;  ///< where they can be in the picture: left, top, right, bottom
 };
 

@@ -2,6 +2,7 @@
 #include "core/render/view_renderer.h"
 
 #include "core/base/parallel.h"
+#include "core/color/luminance.h"
 #include "core/render/pixel_pattern.h"
 #include "core/render/tile_renderer.h"
 
@@ -10,14 +11,18 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 namespace soffit::render {
 namespace {
 
 constexpr int kBaseSamples = 4;
 constexpr int kMaxSamples = 1024;
+/// A highlight on a curved surface changes within a pixel: at least so many places reflect.
+constexpr int kWholeSamples = 16;
 
 /// A step of illuminance between neighbours on one surface that is a shadow's edge: its share of
 /// the brighter one, and of the picture's mean, below which nobody sees it.
@@ -148,6 +153,24 @@ std::uint64_t placeOf(const ViewScene& scene, const FirstHit& hit) {
   return hit.surface.valid() ? scene.surface(hit.surface.triangle) : ~std::uint64_t{0};
 }
 
+/// What the samples of a pixel saw: different places, or one place with a texture on it.
+constexpr std::uint8_t kPlaces = 1;
+constexpr std::uint8_t kTexture = 2;
+
+/// Whether a texture varies between the samples of a pixel by more than what nobody sees.
+bool patterned(std::span<const FirstHit> hits, std::span<const SurfaceSample> seen) {
+  constexpr float kContrast = 0.1F;
+  float low = std::numeric_limits<float>::infinity();
+  float high = 0.0F;
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    if (!hits[k].surface.valid()) continue;
+    const float albedo = color::luminance(seen[k].albedo);
+    low = std::min(low, albedo);
+    high = std::max(high, albedo);
+  }
+  return high - low > kContrast * high;
+}
+
 void firstPass(Run& run, Film& film, SpecularLayer& layer, std::vector<std::uint8_t>& mixed) {
   const auto pattern = pixelPattern(std::min(run.options.samples, kBaseSamples));
   run.forTiles("rendering", [&](const Tile& tile, TileScratch& scratch) {
@@ -156,9 +179,11 @@ void firstPass(Run& run, Film& film, SpecularLayer& layer, std::vector<std::uint
     for (std::size_t i = 0; i < scratch.tasks.size(); ++i) {
       const std::size_t at = film.at(scratch.tasks[i].x, scratch.tasks[i].y);
       const auto samples = std::span(scratch.first).subspan(i * pattern.size(), pattern.size());
-      mixed[at] = std::any_of(samples.begin(), samples.end(), [&](const FirstHit& hit) {
+      const bool several = std::any_of(samples.begin(), samples.end(), [&](const FirstHit& hit) {
         return placeOf(run.scene, hit) != placeOf(run.scene, samples.front());
       });
+      const auto seen = std::span(scratch.samples).subspan(i * pattern.size(), pattern.size());
+      mixed[at] = several ? kPlaces : patterned(samples, seen) ? kTexture : 0;
     }
   });
 }
@@ -180,6 +205,38 @@ void secondPass(Run& run, Film& film, const std::vector<std::uint8_t>& mixed) {
   });
 }
 
+/// Reflections of pixels that cannot share theirs with a block: curved surfaces, the edges of
+/// surfaces, and of shadows, across which a highlight may break off.
+void reflectionPass(Run& run, const Film& film, const std::vector<std::uint8_t>& mixed,
+                    SpecularLayer& layer) {
+  const auto pattern = pixelPattern(std::max(run.options.samples, kWholeSamples));
+  const EdgeFinder edges(run.scene, film, mixed);
+  constexpr int kReach = kPhases / 2;
+  std::vector<std::uint8_t> alone(film.count(), 0);
+  for (int y = 0; y < film.height; ++y) {
+    for (int x = 0; x < film.width; ++x) {
+      const bool several = mixed[film.at(x, y)] == kPlaces && smooths(layer, x, y);
+      if (several || standsAlone(layer, x, y)) alone[film.at(x, y)] = 1;
+      if (layer.pixels[film.at(x, y)].coverage <= 0.0F || !edges.shadowEdge(x, y)) continue;
+      for (int j = std::max(y - kReach, 0); j <= std::min(y + kReach, film.height - 1); ++j) {
+        for (int i = std::max(x - kReach, 0); i <= std::min(x + kReach, film.width - 1); ++i) {
+          if (smooths(layer, i, j)) alone[film.at(i, j)] = 1;
+        }
+      }
+    }
+  }
+  if (std::none_of(alone.begin(), alone.end(), [](std::uint8_t a) { return a != 0; })) return;
+  run.forTiles("refining reflections", [&](const Tile& tile, TileScratch& scratch) {
+    scratch.tasks.clear();
+    for (int y = tile.y0; y < tile.y1; ++y) {
+      for (int x = tile.x0; x < tile.x1; ++x) {
+        if (alone[film.at(x, y)] != 0) scratch.tasks.push_back({x, y, true});
+      }
+    }
+    if (!scratch.tasks.empty()) run.renderer.reflectWhole(scratch.tasks, pattern, scratch, layer);
+  });
+}
+
 }  // namespace
 
 Result<Film> renderView(const ViewScene& scene, const scene::Camera& camera,
@@ -195,13 +252,20 @@ Result<Film> renderView(const ViewScene& scene, const scene::Camera& camera,
   }
   Film film(options.width, options.height);
   SpecularLayer layer{options.width, options.height, {}};
-  const bool reflections = options.quantity == Quantity::luminance && options.max_reflections > 0;
+  const Reflections method = settled(options.reflections, options.quick);
+  const bool reflections = options.quantity == Quantity::luminance && options.max_reflections > 0 &&
+                           method != Reflections::none;
   if (reflections && scene.hasSpecular()) layer.pixels.resize(film.count());
   std::vector<std::uint8_t> mixed(film.count(), 0);
-  const TileRenderer renderer(scene, *frame, illumination, options);
+  std::optional<QuickReflections> quick;
+  if (!layer.pixels.empty() && method != Reflections::rays) {
+    quick.emplace(scene, illumination, method);
+  }
+  const TileRenderer renderer(scene, *frame, illumination, options, quick ? &*quick : nullptr);
   Run run{scene, renderer, options, job, tilesOf(options), {}};
   firstPass(run, film, layer, mixed);
   if (options.samples > 1) secondPass(run, film, mixed);
+  if (!layer.pixels.empty()) reflectionPass(run, film, mixed, layer);
   if (job.cancelled()) return Error{"", "rendering was cancelled", ""};
   addReflections(layer, film);
   return film;

@@ -39,6 +39,7 @@ class ViewScene {
   ViewScene& operator=(const ViewScene&) = delete;
 
   [[nodiscard]] const geometry::Mesh& mesh() const { return *scene_->mesh; }
+  [[nodiscard]] const std::vector<scene::Material>& materials() const { return scene_->materials; }
   [[nodiscard]] const geometry::RayCaster& caster() const { return *caster_; }
   [[nodiscard]] const std::vector<light::Emitter>& emitters() const { return emitters_; }
   [[nodiscard]] const EmitterHits& emitterHits() const { return emitter_hits_; }

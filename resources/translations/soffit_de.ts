@@ -178,6 +178,10 @@
         <source>shadow pass</source>
         <translation>Schattendurchgang</translation>
     </message>
+    <message>
+        <source>following reflections</source>
+        <translation>Reflexe werden verfolgt</translation>
+    </message>
 </context>
 <context>
     <name>DragSession</name>

@@ -22,6 +22,7 @@ namespace {
     QT_TRANSLATE_NOOP("Core", "looking where light differs"),
     QT_TRANSLATE_NOOP("Core", "tracing gather rays"), QT_TRANSLATE_NOOP("Core", "storing the bake"),
     QT_TRANSLATE_NOOP("Core", "computing luminaires"),
+    QT_TRANSLATE_NOOP("Core", "following reflections"),
     QT_TRANSLATE_NOOP("Core", "shadows for direct light"), QT_TRANSLATE_NOOP("Core", "shadow pass"),
     QT_TRANSLATE_NOOP("Core", "looking for the sky"),
     QT_TRANSLATE_NOOP("Core", "light of smooth skies"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/image/read_image.h"
 #include "tests/app/cli/run_program.h"
+#include "tests/app/cli/small_room.h"
 #include "tests/core/io/project/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -73,17 +74,40 @@ TEST_F(RenderCommand, SaysWhatIsWrongBeforeTheLightIsComputed) {
   expectError(
       {"-o", at("a.png"), "--size", "640"},
       "--size: expected WIDTHxHEIGHT in pixels, found \"640\". Give for instance 1280x800.");
-  expectError({"-o", at("a.png"), "--size", "0x600"},
-              "--size: expected 1 to 32768 pixels a side and at most 100 million in all, found 0x600");
+  expectError(
+      {"-o", at("a.png"), "--size", "0x600"},
+      "--size: expected 1 to 32768 pixels a side and at most 100 million in all, found 0x600");
   expectError({"-o", at("a.png"), "--camera", "Back"},
               "--camera: the project has no camera \"Back\". It has: Front.");
-  expectError(
-      {"-o", at("a.png"), "--exposure", "bright"},
-      "--exposure: expected stops from -64 to 64 (EV) or \"auto\", found \"bright\". Give for instance -0.5.");
+  expectError({"-o", at("a.png"), "--exposure", "bright"},
+              "--exposure: expected stops from -64 to 64 (EV) or \"auto\", found \"bright\". Give "
+              "for instance -0.5.");
   expectError({"-o", at("a.png"), "--ocio-view", "Magic"}, "the OCIO config has no view \"Magic\"");
   expectError({"-o", at("a.png"), "--ocio-view", "False colour", "--range", "5,5"},
               "false colour range");
   EXPECT_FALSE(folder_.has("a.png"));
+}
+
+TEST_F(RenderCommand, ShowsReflectionsByTheMethodAskedFor) {
+  const SmallRoom room;
+  const auto mean = [&](const std::string& method) {
+    const std::string file = room.at(method + ".exr");
+    const auto result = runSoffit(
+        room, {"render", room.file(), "-o", file, "--size", "16x10", "--glossy", method, "--set",
+               "materials.paint.specular=0.5", "--set", "materials.paint.roughness=0.7"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    const auto image = io::readImage(file);
+    EXPECT_TRUE(image.ok());
+    double sum = 0.0;
+    for (const float v : image->pixels) sum += static_cast<double>(v);
+    return sum;
+  };
+  const double rays = mean("rays");
+  EXPECT_EQ(mean("automatic"), rays);
+  EXPECT_LT(mean("none"), 0.75 * rays);
+  EXPECT_NEAR(mean("maps"), rays, 0.25 * rays);
+  EXPECT_NEAR(mean("harmonics"), rays, 0.25 * rays);
+  EXPECT_EQ(render({"-o", at("a.png"), "--glossy", "magic"}).status, 2);
 }
 
 TEST_F(RenderCommand, NeedsAnOutput) {

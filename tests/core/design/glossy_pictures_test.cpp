@@ -57,10 +57,11 @@ TEST(GlossyPictures, EveryMethodComesNearThePathTracer) {
   const Stage stage = Stage::make();
   const render::SampledLight light(*stage.view, 64, vec3(0.0F));
   const scene::Camera camera{"Eye", {0, -3.5, 1.6}, {0, 1.5, 0.2}, 50.0};
-  const auto rows = measureGlossyPictures(*stage.view, light, stage.reference, camera, small());
+  const auto rows =
+      measureGlossyPictures(*stage.view, {light, light}, stage.reference, camera, small());
   ASSERT_TRUE(rows) << rows.error().message();
   std::map<std::string, double> floor;
-  for (const GlossyPictureRow& row : *rows) {
+  for (const GlossyPictureRow& row : rows->rows) {
     EXPECT_EQ(row.camera, "Eye");
     if (row.part == "floor, roughness 0.65") floor[row.method.substr(0, 12)] = row.rms;
     if (row.part == "picture") {
@@ -74,7 +75,7 @@ TEST(GlossyPictures, EveryMethodComesNearThePathTracer) {
   EXPECT_LT(floor["rays"], 0.3 * floor["matte alone"]);
   EXPECT_LT(floor["reflection m"], 0.3 * floor["matte alone"]);
   EXPECT_LT(floor["harmonics, 6"], 0.3 * floor["matte alone"]);
-  EXPECT_THAT(formatGlossyPictureRows(*rows), HasSubstr("\"Eye\",\"rays\",\"picture\",48,"));
+  EXPECT_THAT(formatGlossyPictureRows(rows->rows), HasSubstr("\"Eye\",\"rays\",\"picture\",48,"));
 }
 
 TEST(GlossyPictures, StopsWhenAskedAndRefusesABadCamera) {
@@ -82,10 +83,10 @@ TEST(GlossyPictures, StopsWhenAskedAndRefusesABadCamera) {
   const render::EvenLight light(vec3(1.0F));
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_FALSE(measureGlossyPictures(*stage.view, light, stage.reference,
+  EXPECT_FALSE(measureGlossyPictures(*stage.view, {light, light}, stage.reference,
                                      {"Eye", {0, -3.5, 1.6}, {0, 1.5, 0.2}, 50.0}, small(),
                                      {nullptr, stop.get_token()}));
-  EXPECT_FALSE(measureGlossyPictures(*stage.view, light, stage.reference,
+  EXPECT_FALSE(measureGlossyPictures(*stage.view, {light, light}, stage.reference,
                                      {"Blind", {0, 0, 1}, {0, 0, 1}, 50.0}, small()));
 }
 

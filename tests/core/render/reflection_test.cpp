@@ -195,5 +195,47 @@ TEST(Reflections, AreLeftOutOfIlluminancePictures) {
   EXPECT_NEAR(film.lux[film.at(12, 12)], 120.0F, 1e-3F);
 }
 
+TEST(RoughReflection, OfACurvedBodyIsTheSameInASmallPicture) {
+  // A ball of rough metal under a small bright lamp, 24 pixels across: its highlight is a few
+  // pixels wide. Each pixel against the mean of the same place in a picture eight times as large.
+  SceneBuilder builder;
+  const auto metal =
+      builder.addMaterial({.diffuse = dvec3(0.05), .specular = 0.5, .roughness = 0.45});
+  builder.addBox({-3, -3, -1}, {3, 3, 3}, builder.addMaterial({.diffuse = dvec3(0.5)}), true);
+  builder.addSphere({0, 0, 0}, 0.5F, 64, metal);
+  const auto scene = builder.build({lamp(light::Rectangle{0.1, 0.1}, {0.8, -1.5, 2.5}, 3000.0)});
+  const scene::Camera camera{"A", {0, -2.5, 0.6}, {0, 0, 0}, 25.0};
+  const SampledLight light(*scene, 16, vec3(20));
+  const auto small = renderView(*scene, camera, light, options(28)).value();
+  constexpr int kTimes = 8;
+  const auto large = renderView(*scene, camera, light, options(28 * kTimes)).value();
+  double squares = 0.0;
+  double mean = 0.0;
+  int counted = 0;
+  for (int y = 8; y < 20; ++y) {
+    for (int x = 8; x < 20; ++x) {  // well inside of the ball
+      // The pixel's own filter, a tent over it and its neighbours.
+      double sum = 0.0;
+      double weights = 0.0;
+      for (int j = -kTimes; j < kTimes; ++j) {
+        for (int i = -kTimes; i < kTimes; ++i) {
+          const double w = (1.0 - std::abs(i + 0.5) / kTimes) * (1.0 - std::abs(j + 0.5) / kTimes);
+          const int column = x * kTimes + kTimes / 2 + i;
+          const int row = y * kTimes + kTimes / 2 + j;
+          sum += w * static_cast<double>(large.radiance[large.at(column, row)].y);
+          weights += w;
+        }
+      }
+      const double wanted = sum / weights;
+      squares += std::pow(static_cast<double>(small.radiance[small.at(x, y)].y) - wanted, 2.0);
+      mean += wanted;
+      ++counted;
+    }
+  }
+  // 128 rays into the lobes of 16 places per pixel, where the highlight may double from pixel to
+  // pixel: 5.3 %, of which 4.2 stay with 64 places; four places missed by 17 %.
+  EXPECT_LT(std::sqrt(squares / counted) / (mean / counted), 0.07);
+}
+
 }  // namespace
 }  // namespace soffit::render

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace soffit::render {
 namespace {
 
@@ -69,6 +71,36 @@ TEST(AddReflections, CountsByCoverage) {
   film.radiance[0] = vec3(3.0F);
   addReflections(layer, film);
   EXPECT_EQ(film.radiance[0], vec3(5.0F));
+}
+
+TEST(StandsAlone, WhereABlockHasNotOneLobe) {
+  const SpecularLayer plain = floorLayer(12, 12, 0.2F);
+  EXPECT_FALSE(standsAlone(plain, 6, 6));
+  EXPECT_TRUE(standsAlone(plain, 0, 6));  // half of the block is beyond the picture
+  // A cylinder: normals turn by a third of the lobe's width from column to column.
+  SpecularLayer round = floorLayer(12, 12, 0.2F);
+  for (std::size_t i = 0; i < round.pixels.size(); ++i) {
+    const float turn = 0.06F * static_cast<float>(i % 12);
+    round.pixels[i].normal = {std::sin(turn), 0.0F, std::cos(turn)};
+    round.pixels[i].position = round.pixels[i].normal / 0.06F + vec3(0, i / 12, 0);
+  }
+  EXPECT_TRUE(standsAlone(round, 6, 6));
+  for (auto& pixel : round.pixels) pixel.alpha = 0.8F;  // the same turn is little for a wide lobe
+  EXPECT_FALSE(standsAlone(round, 6, 6));
+  for (auto& pixel : round.pixels) pixel.alpha = 0.01F;  // nearly a mirror: never smoothed
+  EXPECT_FALSE(standsAlone(round, 6, 6));
+  EXPECT_FALSE(smooths(round, 6, 6));
+}
+
+TEST(AddReflections, LeavesWholePixelsAsTheyAre) {
+  SpecularLayer layer = floorLayer(8, 8, 0.1F);
+  layer.pixels[27].radiance = vec3(5.0F);
+  layer.pixels[27].whole = true;
+  Film film(8, 8);
+  addReflections(layer, film);
+  EXPECT_EQ(film.radiance[27], vec3(5.0F));
+  EXPECT_EQ(film.radiance[28], vec3(1.0F));
+  EXPECT_FALSE(standsAlone(layer, 3, 3));
 }
 
 }  // namespace
