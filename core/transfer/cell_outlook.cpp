@@ -2,17 +2,12 @@
 #include "core/transfer/cell_outlook.h"
 
 #include "core/base/parallel.h"
-#include "core/math/sampling.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace soffit::transfer {
 namespace {
-
-/// Of CellOutlook::kProbes rays: more that meet the inside of solids tell matter. At a foot, or a
-/// millimetre under an edge, some do.
-constexpr int kMostInside = 3;
 
 /// Of a cell: when a ray meets a surface nearer than this share of its width, its middle lies on
 /// that surface's foot. Direct light cannot tell there on which side of it a receiver is.
@@ -36,16 +31,13 @@ class Places {
     if (out.cover != Cover::none) lookAround(i, out);
   }
 
-  /// The middle is too near to something that stands on the surface.
-  void lookBeside(std::size_t i, CellOutlook& out) const { lookAround(i, out); }
-
   /// The middle is known to be in matter after all.
   void lookPastMatter(std::size_t i, CellOutlook& out) const {
     out.cover = Cover::matter;
     lookAround(i, out);
   }
 
- private:
+  /// The middle is covered, or too near to something that stands on the surface.
   void lookAround(std::size_t i, CellOutlook& out) const {
     if (cut_.cells[i].area < full_) return;
     std::array<vec3, 4> points;
@@ -68,6 +60,7 @@ class Places {
     out.point = points[static_cast<std::size_t>(found - covers.begin())];
   }
 
+ private:
   [[nodiscard]] Cover at(const vec3& p) const {
     return coverOf(mesh_, sides_, caster_, p, normal_, gap_);
   }
@@ -121,12 +114,7 @@ std::vector<CellOutlook> lookFromCells(const geometry::Mesh& mesh,
   const Places places(mesh, sides, caster, chart, cut, front, gap);
   const vec3 n = front ? chart.normal : -chart.normal;
   // The same directions for all cells: what differs then is the place.
-  std::array<vec3, CellOutlook::kProbes> directions;
-  for (std::size_t k = 0; k < directions.size(); ++k) {
-    const vec3 d = cosineHemisphere((static_cast<float>(k % 4) + 0.37F) / 4.0F,
-                                    (static_cast<float>(k / 4) + 0.59F) / 2.0F);
-    directions[k] = d.x * chart.t + d.y * chart.b + d.z * n;
-  }
+  const auto directions = matterProbes(chart.t, chart.b, n);
   std::vector<CellOutlook> out(cut.cells.size());
   const float foot = std::min(kFootMost, kFoot * std::min(cut.cell.x, cut.cell.y));
   struct Seen {
@@ -171,7 +159,7 @@ std::vector<CellOutlook> lookFromCells(const geometry::Mesh& mesh,
       if (seen.matter) {
         places.lookPastMatter(of[k], out[of[k]]);
       } else {
-        places.lookBeside(of[k], out[of[k]]);
+        places.lookAround(of[k], out[of[k]]);
       }
       if (out[of[k]].cover != Cover::matter) again.push_back(of[k]);
     }

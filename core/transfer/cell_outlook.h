@@ -15,7 +15,7 @@ namespace soffit::transfer {
 
 /// What is seen from a fine cell.
 struct CellOutlook {
-  static constexpr std::size_t kProbes = 8;
+  static constexpr std::size_t kProbes = kMatterProbes;
   Cover cover = Cover::none;
   float share = 1.0F;  ///< of the cell that `cover` holds for
   /// Bits: 1 when nothing stands between this cell and the next along t, 2 along b.

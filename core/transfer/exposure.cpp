@@ -32,19 +32,24 @@ Cover coverOf(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
   return hit.t < gap ? Cover::gap : Cover::none;
 }
 
+std::array<vec3, kMatterProbes> matterProbes(const vec3& t, const vec3& b, const vec3& n) {
+  std::array<vec3, kMatterProbes> directions;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const vec3 d = cosineHemisphere((static_cast<float>(k % 4) + 0.37F) / 4.0F,
+                                    (static_cast<float>(k / 4) + 0.59F) / 2.0F);
+    directions[k] = d.x * t + d.y * b + d.z * n;
+  }
+  return directions;
+}
+
 bool liesInMatter(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
                   const geometry::RayCaster& caster, const vec3& p, const vec3& n) {
-  constexpr int kRays = 8;
-  constexpr int kMostInside = 3;  // at a foot, or just under an edge, some do
   vec3 t;
   vec3 b;
   orthonormalBasis(n, t, b);
   const vec3 origin = geometry::offsetOrigin(p, n);
   int inside = 0;
-  for (int k = 0; k < kRays; ++k) {
-    const vec3 d = cosineHemisphere((static_cast<float>(k % 4) + 0.37F) / 4.0F,
-                                    (static_cast<float>(k / 4) + 0.59F) / 2.0F);
-    const vec3 direction = d.x * t + d.y * b + d.z * n;
+  for (const vec3& direction : matterProbes(t, b, n)) {
     const geometry::Hit hit = caster.closest({origin, 0.0F, direction});
     if (hit.valid() && meetsInside(mesh, sides, hit.triangle, direction)) ++inside;
   }

@@ -5,6 +5,8 @@
 #include "core/geometry/ray_caster.h"
 #include "core/transfer/charts.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
@@ -25,6 +27,13 @@ enum class Cover : std::uint8_t {
 /// gap    m.
 Cover coverOf(const geometry::Mesh& mesh, std::span<const std::uint8_t> sides,
               const geometry::RayCaster& caster, const vec3& p, const vec3& n, float gap);
+
+/// Directions about a normal that tell matter: stratified by the cosine. t, b, n orthonormal.
+inline constexpr std::size_t kMatterProbes = 8;
+std::array<vec3, kMatterProbes> matterProbes(const vec3& t, const vec3& b, const vec3& n);
+/// More of them that meet the inside of solids tell it. At a foot, or a millimetre under an edge,
+/// some do.
+inline constexpr int kMostInside = 3;
 
 /// Whether several rays about n from a point meet the inside of solids. One ray along the normal
 /// may be mistaken: of a post that stands on a plate and runs into its arm it meets the arm's

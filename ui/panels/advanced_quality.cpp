@@ -25,7 +25,7 @@ struct Words {
   QString tip;
 };
 
-/// What the settings mean to people, in the order of relight::listSettings().
+/// What the settings mean to people.
 std::array<Words, 16> words() {
   const auto tr = [](const char* text) { return AdvancedQuality::tr(text); };
   return {
@@ -83,9 +83,13 @@ AdvancedQuality::AdvancedQuality(const scene::Quality& quality, QWidget* parent)
   const auto list = relight::listSettings(preset_);
   const auto names = words();
   for (std::size_t i = 0; list && i < list->size(); ++i) {
-    Row row{(*list)[i], new QDoubleSpinBox, new QLabel(names[i].label)};
+    const relight::SettingInfo& info = (*list)[i];
+    const auto word = std::find_if(names.begin(), names.end(),
+                                   [&](const Words& w) { return info.name == w.name; });
+    if (word == names.end()) continue;
+    Row row{info, new QDoubleSpinBox, new QLabel(word->label)};
     row.box->setObjectName(toQt(row.info.name));
-    row.box->setAccessibleName(names[i].label);
+    row.box->setAccessibleName(word->label);
     row.box->setDecimals(decimalsFor(row.info));
     row.box->setRange(row.info.lowest, row.info.highest);
     row.box->setGroupSeparatorShown(true);
@@ -97,7 +101,7 @@ AdvancedQuality::AdvancedQuality(const scene::Quality& quality, QWidget* parent)
     row.box->setValue(own != quality.settings.end() ? own->second : row.info.value);
     const QString range =
         tr("%1 to %2, preset %3").arg(row.info.lowest).arg(row.info.highest).arg(row.info.value);
-    row.box->setToolTip(names[i].tip.isEmpty() ? range : names[i].tip + QLatin1Char('\n') + range);
+    row.box->setToolTip(word->tip.isEmpty() ? range : word->tip + QLatin1Char('\n') + range);
     row.label->setBuddy(row.box);
     form_->addRow(row.label, row.box);
     connect(row.box, &QDoubleSpinBox::valueChanged, this, &AdvancedQuality::mark);
