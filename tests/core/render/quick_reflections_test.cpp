@@ -11,17 +11,6 @@ namespace {
 
 constexpr float kPiF = 3.14159265F;
 
-/// A white, evenly bright room about a plate of one metal; the lobe's own colour is its albedo.
-std::unique_ptr<ViewScene> furnace(double roughness) {
-  SceneBuilder builder;
-  const auto white = builder.addMaterial({.diffuse = dvec3(1.0)});
-  builder.addBox({-5, -5, -0.5F}, {5, 5, 5}, white, true);
-  builder.addQuad(
-      {-2, -2, 0}, {4, 0, 0}, {0, 4, 0},
-      builder.addMaterial({.diffuse = dvec3(0.0), .specular = 0.5, .roughness = roughness}));
-  return builder.build();
-}
-
 double seen(const ViewScene& scene, Reflections method, bool quick = false) {
   RenderOptions o;
   o.width = o.height = 24;

@@ -99,13 +99,7 @@ TEST(Mirror, FacingMirrorsShowEachOtherTwice) {
 TEST(RoughReflection, InAnEvenlyBrightRoomIsTheLobesAlbedo) {
   // Furnace: whatever the lobe sees has luminance 100, so it shows 100 times its albedo.
   for (const double roughness : {0.2, 0.4, 0.7}) {
-    SceneBuilder builder;
-    const auto white = builder.addMaterial({.diffuse = dvec3(1.0)});
-    builder.addBox({-5, -5, -0.5F}, {5, 5, 5}, white, true);
-    builder.addQuad(
-        {-2, -2, 0}, {4, 0, 0}, {0, 4, 0},
-        builder.addMaterial({.diffuse = dvec3(0.0), .specular = 0.5, .roughness = roughness}));
-    const auto scene = builder.build();
+    const auto scene = furnace(roughness);
     const scene::Camera camera{"A", {0, -2, 3}, {0, 0, 0}, 4.0};
     const auto film = renderView(*scene, camera, EvenLight(vec3(100 * kPiF)), options(48)).value();
     const double cosine = 3.0 / std::sqrt(13.0);

@@ -79,8 +79,7 @@ class SceneBuilder {
     if (scene_.materials.empty()) scene_.materials.emplace_back();
     scene_.mesh = std::make_shared<geometry::Mesh>(mesh_);
     const auto panes = daylight::Panes::make(mesh_, scene_.materials);
-    auto caster =
-        std::make_shared<geometry::RayCaster>(daylight::opaqueCaster(mesh_, panes.get()));
+    auto caster = std::make_shared<geometry::RayCaster>(daylight::opaqueCaster(mesh_, panes.get()));
     std::vector<light::Emitter> emitters;
     for (const auto& luminaire : luminaires) emitters.push_back(*light::makeEmitter(luminaire));
     return std::make_unique<ViewScene>(std::make_shared<scene::Scene>(scene_), std::move(caster),
@@ -160,5 +159,16 @@ class SampledLight : public Illumination {
   int rays_;
   vec3 indirect_;
 };
+
+/// A white, evenly bright room about a plate of one metal; the lobe's own colour is its albedo.
+inline std::unique_ptr<ViewScene> furnace(double roughness) {
+  SceneBuilder builder;
+  const auto white = builder.addMaterial({.diffuse = dvec3(1.0)});
+  builder.addBox({-5, -5, -0.5F}, {5, 5, 5}, white, true);
+  builder.addQuad(
+      {-2, -2, 0}, {4, 0, 0}, {0, 4, 0},
+      builder.addMaterial({.diffuse = dvec3(0.0), .specular = 0.5, .roughness = roughness}));
+  return builder.build();
+}
 
 }  // namespace soffit::render
