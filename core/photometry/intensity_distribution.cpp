@@ -56,7 +56,9 @@ PlanePair planePair(std::span<const double> c_deg, double angle_deg) {
 }  // namespace
 
 double IntensityDistribution::intensity(const dvec3& direction) const {
-  const double gamma = degrees(std::atan2(std::hypot(direction.x, direction.y), -direction.z));
+  const double across2 = direction.x * direction.x + direction.y * direction.y;
+  const double gamma = degrees(std::atan2(std::sqrt(across2), -direction.z));
+  if (c_deg.size() == 1) return intensityAt(0.0, gamma);
   return intensityAt(degrees(std::atan2(direction.y, direction.x)), gamma);
 }
 

@@ -8,6 +8,19 @@
 #include <algorithm>
 
 namespace soffit::render {
+namespace {
+
+/// The greatest area of some texels, m^2.
+float widest(const transfer::Texels& texels,
+             const std::array<std::uint32_t, transfer::Texels::kMostAround>& slots, int count) {
+  float most = 0.0F;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+    most = std::max(most, texels.area[slots[k]]);
+  }
+  return most;
+}
+
+}  // namespace
 
 EngineLight::EngineLight(std::shared_ptr<const relight::Lighting> lighting)
     : EngineLight(lighting, lighting->indirectTotal()) {}
@@ -44,6 +57,15 @@ EngineLight::EngineLight(std::shared_ptr<const relight::Lighting> lighting,
     }
     lamps_.push_back(std::move(lamp));
   }
+  direct_ = lighting_->total();
+  const relight::Planes reflected = lighting_->indirectTotal();
+  const relight::Planes& sky = lighting_->skyDirect();
+  for (std::size_t c = 0; c < 3; ++c) {
+    for (std::size_t s = 0; s < direct_[c].size(); ++s) {
+      const float other = reflected[c][s] + (sky[c].empty() ? 0.0F : sky[c][s]);
+      direct_[c][s] = std::max(direct_[c][s] - other, 0.0F);
+    }
+  }
   if (lighting_->environment() == nullptr) return;
   // The sky is as smooth as reflected light and shown from the texels with it; what shines from one
   // point, the sun, is found for each point of the picture.
@@ -59,30 +81,39 @@ EngineLight::EngineLight(std::shared_ptr<const relight::Lighting> lighting,
   }
 }
 
+void EngineLight::computeDirect(std::span<const SurfacePoint> points,
+                                std::span<vec3> direct) const {
+  const transfer::StaticScene& scene = lighting_->solver().scene();
+  std::vector<vec3> positions;
+  std::vector<vec3> normals;
+  std::vector<std::size_t> which;
+  positions.reserve(points.size());
+  normals.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(direct[i].x < 0.0F)) continue;
+    positions.push_back(points[i].position);
+    normals.push_back(points[i].shading_normal);
+    which.push_back(i);
+    direct[i] = vec3(0.0F);
+  }
+  if (which.empty()) return;
+  const light::Receivers receivers = light::makeReceivers(positions, normals, 256);
+  std::vector<float> lux(receivers.slotCount());
+  std::vector<std::uint8_t> lit(receivers.clusters.size());
+  for (const Lamp& lamp : lamps_) {
+    relight::directLight(scene, lamp.prepared, receivers, lamp.bodies, lux, lit);
+    if (std::none_of(lit.begin(), lit.end(), [](std::uint8_t l) { return l != 0; })) continue;
+    for (std::size_t k = 0; k < which.size(); ++k)
+      direct[which[k]] += lux[receivers.slot_of[k]] * lamp.weight;
+  }
+}
+
 void EngineLight::evaluate(std::span<const SurfacePoint> points, std::span<vec3> direct,
                            std::span<vec3> indirect) const {
   const transfer::StaticScene& scene = lighting_->solver().scene();
   const transfer::Texels& texels = lighting_->solver().operators().texels;
-  std::vector<vec3> positions;
-  std::vector<vec3> normals;
-  positions.reserve(points.size());
-  normals.reserve(points.size());
-  for (const SurfacePoint& p : points) {
-    positions.push_back(p.position);
-    normals.push_back(p.shading_normal);
-  }
-  std::fill(direct.begin(), direct.end(), vec3(0.0F));
-  if (!points.empty()) {
-    const light::Receivers receivers = light::makeReceivers(positions, normals, 256);
-    std::vector<float> lux(receivers.slotCount());
-    std::vector<std::uint8_t> lit(receivers.clusters.size());
-    for (const Lamp& lamp : lamps_) {
-      relight::directLight(scene, lamp.prepared, receivers, lamp.bodies, lux, lit);
-      if (std::none_of(lit.begin(), lit.end(), [](std::uint8_t l) { return l != 0; })) continue;
-      for (std::size_t i = 0; i < points.size(); ++i)
-        direct[i] += lux[receivers.slot_of[i]] * lamp.weight;
-    }
-  }
+  // Below zero: still to be computed.
+  std::fill(direct.begin(), direct.end(), vec3(-1.0F));
   std::vector<std::size_t> outdoor;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const SurfacePoint& p = points[i];
@@ -91,15 +122,20 @@ void EngineLight::evaluate(std::span<const SurfacePoint> points, std::span<vec3>
     const bool front = glm::dot(p.normal, scene.normals[p.triangle]) > 0.0F;
     const int count =
         texels.slotCount() == 0 ? 0 : texels.around(p.triangle, front, p.position, slots, weights);
-    vec3 sum(0.0F);
-    for (int k = 0; k < count; ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      sum += weights[at] *
-             vec3(indirect_[0][slots[at]], indirect_[1][slots[at]], indirect_[2][slots[at]]);
+    const auto interpolated = [&](const relight::Planes& planes) {
+      vec3 sum(0.0F);
+      for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
+        sum += weights[k] * vec3(planes[0][slots[k]], planes[1][slots[k]], planes[2][slots[k]]);
+      }
+      return sum;
+    };
+    indirect[i] = interpolated(indirect_);
+    if (count > 0 && p.blur > 0.0F && p.blur * p.blur >= widest(texels, slots, count)) {
+      direct[i] = glm::max(interpolated(direct_), vec3(0.0F));
     }
-    indirect[i] = sum;
     if (count == 0 && lighting_->environment() != nullptr) outdoor.push_back(i);
   }
+  computeDirect(points, direct);
   // Outside walls, which nothing but the void sees, have no texels: their sky is found here.
   if (outdoor.empty()) return;
   std::vector<vec3> at;

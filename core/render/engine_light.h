@@ -14,7 +14,8 @@ namespace soffit::render {
 
 /// The light engine's answer to a picture: direct light at every point asked for, indirect light
 /// interpolated between the texels of the point's own surface, so that neither a wall nor an edge
-/// lets any through.
+/// lets any through. Points that may be blurred by more than their texel take direct light from the
+/// texels, too.
 class EngineLight : public Illumination {
  public:
   explicit EngineLight(std::shared_ptr<const relight::Lighting> lighting);
@@ -32,9 +33,11 @@ class EngineLight : public Illumination {
 
  private:
   EngineLight(std::shared_ptr<const relight::Lighting> lighting, relight::Planes indirect);
+  void computeDirect(std::span<const SurfacePoint> points, std::span<vec3> direct) const;
 
   std::shared_ptr<const relight::Lighting> lighting_;
   relight::Planes indirect_;
+  relight::Planes direct_;  ///< of the texels, the sky's left out
   struct Lamp {
     light::PreparedLight prepared;
     std::vector<light::MaskBlocker> bodies;

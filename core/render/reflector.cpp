@@ -18,6 +18,9 @@ constexpr float kPiF = 3.14159265358979F;
 constexpr float kLeastThroughput = 0.02F;
 /// How far rays of a lobe lie apart, in units of alpha: what detail a rough reflection resolves.
 constexpr float kLobeSpread = 0.25F;
+/// Light that a lobe reflects may be blurred by so many times the detail that it resolves: half of
+/// how wide the lobe is there.
+constexpr float kLightBlur = 2.0F;
 /// A lobe reflects strongly from here on and gets twice the rays.
 constexpr float kStrong = 0.2F;
 
@@ -283,6 +286,7 @@ void Reflector::meetSurface(std::size_t i, bool last, ReflectorScratch& s) const
   const vec3 factor = arriving * (ends ? sent_.of(at) : at.albedo) / kPiF;
   if (color::luminance(factor) > 0.0F) {
     s.arrivals.push_back({cellOf(at, at.footprint), path.target, factor, at.point, at.surface});
+    if (path.alpha >= kMirrorAlpha) s.arrivals.back().point.blur = kLightBlur * at.footprint;
   }
   if (last || m.f0 <= 0.0F) return;
   const float fresnel = schlick(m.f0, glm::dot(at.point.shading_normal, at.to_eye));

@@ -74,7 +74,8 @@ struct ReflectorScratch {
 /// light, evaluated once per cell of about the size that the reflection resolves, and their own
 /// lobe, which is taken no narrower than the one it is seen through (Kaplanyan & Dachsbacher 2013,
 /// "Path Space Regularization": a lamp in a mirror in a dull floor would be nothing but noise).
-/// Where the last reflection ends, a rough lobe's light is taken as reflected diffusely (SentAlbedo).
+/// Where the last reflection ends, a rough lobe's light is taken as reflected diffusely
+/// (SentAlbedo).
 class Reflector {
  public:
   Reflector(const ViewScene& scene, const Illumination& illumination, const RenderOptions& options,

@@ -5,6 +5,7 @@
 #include "core/color/luminance.h"
 #include "core/math/rng.h"
 #include "core/math/sampling.h"
+#include "core/render/lamp_choice.h"
 #include "core/render/light_aim.h"
 #include "core/render/microfacet.h"
 #include "core/render/reflecting_places.h"
@@ -51,6 +52,7 @@ class Thrower {
         texels_(lighting.solver().operators().texels),
         lit_(lighting.total()),
         places_(scene, texels_, lit_),
+        lamps_(lighting),
         options_(options) {
     if (lighting.environment() != nullptr) {
       const auto spots = lighting.environment()->spots();
@@ -120,6 +122,7 @@ class Thrower {
     b.rng = Rng(options_.seed, pass * batches() + index);
     const std::size_t samples = batches() * kBatch;
     std::vector<SurfaceSample> places;
+    std::vector<std::uint32_t> slots;
     std::vector<float> areas;  // that a place stands for
     for (std::size_t k = 0; k < kBatch; ++k) {
       const std::size_t i = index * kBatch + k;
@@ -127,11 +130,13 @@ class Thrower {
           (static_cast<double>(i) + b.rng.uniformDouble()) / static_cast<double>(samples));
       const vec2 at = inTriangle(r2Sequence(static_cast<std::uint32_t>(pass * samples + i)));
       const vec3 p = pointOf(scene_.mesh(), side.triangle, at);
-      if (texels_.at(side.triangle, side.front, p) == transfer::kNoTexel) continue;
+      const std::uint32_t slot = texels_.at(side.triangle, side.front, p);
+      if (slot == transfer::kNoTexel) continue;
       places.push_back(lookAt(side, p, at));
+      slots.push_back(slot);
       areas.push_back(static_cast<float>(stands_for / static_cast<double>(samples)));
     }
-    fromLamps(places, areas, b);
+    fromLamps(places, slots, areas, b);
     fromRoom(places, areas, b);
     for (int depth = 1; depth <= options_.most_reflections && !b.particles.empty(); ++depth) {
       land(b, depth < options_.most_reflections, out);
@@ -152,12 +157,12 @@ class Thrower {
   }
 
   /// One luminaire or spot for each place, chosen by what it sends there.
-  void fromLamps(const std::vector<SurfaceSample>& places, const std::vector<float>& areas,
-                 Batch& b) const {
+  void fromLamps(const std::vector<SurfaceSample>& places, const std::vector<std::uint32_t>& slots,
+                 const std::vector<float>& areas, Batch& b) const {
     b.rays.clear();
     b.places.clear();
     b.flux.clear();
-    for (std::size_t k = 0; k < places.size(); ++k) aimOne(places[k], areas[k], b);
+    for (std::size_t k = 0; k < places.size(); ++k) aimOne(places[k], slots[k], areas[k], b);
     b.blocked.resize(b.rays.size());
     scene_.caster().occluded(b.rays, b.blocked);
     dim(b.rays, b);
@@ -167,48 +172,36 @@ class Thrower {
     }
   }
 
-  void aimOne(const SurfaceSample& at, float area, Batch& b) const {
-    const vec3 origin = geometry::offsetOrigin(at.point.position, at.point.normal);
-    double sum = 0.0;
-    geometry::Ray chosen;
-    vec3 carried(0.0F);
-    double chosen_weight = 0.0;
-    int lamp = kNoEmitter;
-    const auto offer = [&](const vec3& wi, float reach, const vec3& normal_lux, int e) {
-      const float cosine = glm::dot(wi, at.point.shading_normal);
-      if (cosine <= 0.0F || glm::dot(wi, at.point.normal) <= 0.0F) return;
-      const vec3 lux = normal_lux * cosine;
-      const double weight = static_cast<double>(
-          color::luminance(lux) * schlick(scene_.material(at.point.triangle).f0, cosine));
-      if (!(weight > 0.0)) return;
-      sum += weight;
-      // One of all offers with its weight's share (reservoir sampling, Chao 1982).
-      if (b.rng.uniformDouble() * sum >= weight) return;
-      chosen = {origin, 0.0F, wi, reach};
-      carried = lux;
-      chosen_weight = weight;
-      lamp = e;
-    };
+  void aimOne(const SurfaceSample& at, std::uint32_t slot, float area, Batch& b) const {
+    const LampChoice::Pick pick = lamps_.pick(slot, b.rng.uniformDouble());
+    const vec2 u(b.rng.uniform(), b.rng.uniform());
+    if (!(pick.probability > 0.0)) return;
+    geometry::Ray ray{geometry::offsetOrigin(at.point.position, at.point.normal), 0.0F, {}};
+    vec3 lux(0.0F);  // on a plane that faces the source
     const auto& emitters = scene_.emitters();
-    for (std::size_t e = 0; e < emitters.size(); ++e) {
-      if (emitters[e].gain <= 0.0) continue;
-      const LightAim aim = aimAt(emitters[e], dvec3(origin), {b.rng.uniform(), b.rng.uniform()});
-      if (!(aim.distance > 0.0)) continue;
-      const vec3 wi(aim.direction);
-      const vec3 lux = aim.pdf > 0.0 ? scene_.emitted(static_cast<int>(e), vec3(aim.normal), -wi) /
-                                           static_cast<float>(aim.pdf)
-                                     : aim.intensity;
-      offer(wi, static_cast<float>(aim.distance * (1.0 - 1.0e-4) - 5.0e-4), lux,
-            static_cast<int>(e));
+    const bool spot = pick.source >= emitters.size();
+    if (spot) {
+      const daylight::Spot& sun = spots_[pick.source - emitters.size()];
+      ray.direction = vec3(sun.direction);
+      lux = vec3(sun.normal_illuminance);
+    } else {
+      const LightAim aim = aimAt(emitters[pick.source], dvec3(ray.origin), u);
+      if (!(aim.distance > 0.0)) return;
+      ray.direction = vec3(aim.direction);
+      ray.t_max = static_cast<float>(aim.distance * (1.0 - 1.0e-4) - 5.0e-4);
+      lux = aim.pdf > 0.0
+                ? scene_.emitted(static_cast<int>(pick.source), vec3(aim.normal), -ray.direction) /
+                      static_cast<float>(aim.pdf)
+                : aim.intensity;
     }
-    for (const daylight::Spot& spot : spots_) {
-      offer(vec3(spot.direction), std::numeric_limits<float>::infinity(),
-            vec3(spot.normal_illuminance), kNoEmitter);
-    }
-    if (!(chosen_weight > 0.0) || scene_.emitterHits().blocked(chosen, lamp)) return;
-    b.rays.push_back(chosen);
+    const float cosine = glm::dot(ray.direction, at.point.shading_normal);
+    if (cosine <= 0.0F || glm::dot(ray.direction, at.point.normal) <= 0.0F) return;
+    if (!(color::luminance(lux) > 0.0F)) return;
+    const int lamp = spot ? kNoEmitter : static_cast<int>(pick.source);
+    if (scene_.emitterHits().blocked(ray, lamp)) return;
+    b.rays.push_back(ray);
     b.places.push_back(at);
-    b.flux.push_back(carried * static_cast<float>(sum / chosen_weight) * area);
+    b.flux.push_back(lux * (cosine * area / static_cast<float>(pick.probability)));
   }
 
   void fromRoom(const std::vector<SurfaceSample>& places, const std::vector<float>& areas,
@@ -313,6 +306,7 @@ class Thrower {
   const transfer::Texels& texels_;
   relight::Planes lit_;  ///< lux of everything, per slot
   ReflectingPlaces places_;
+  LampChoice lamps_;
   ThrownLightOptions options_;
   std::vector<daylight::Spot> spots_;
   std::vector<std::vector<Deposit>> found_;  ///< of a round

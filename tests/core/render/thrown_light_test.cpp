@@ -5,7 +5,7 @@
 #include "core/reference/estimate.h"
 #include "core/relight/reflectance.h"
 #include "core/render/engine_light.h"
-#include "tests/core/relight/rooms.h"
+#include "tests/core/render/lit_room.h"
 
 #include <gtest/gtest.h>
 
@@ -14,81 +14,13 @@
 namespace soffit::render {
 namespace {
 
-using relight::testing::addQuad;
-using relight::testing::emptyMesh;
-using relight::testing::panel;
-using relight::testing::quickSettings;
-
-constexpr float kWidth = 4.0F;
-constexpr float kHeight = 3.0F;
-
-/// Material 0: floor, 1: walls and ceiling.
-std::shared_ptr<geometry::Mesh> roomMesh() {
-  auto mesh = emptyMesh();
-  mesh->materials = {"floor", "walls"};
-  const float w = kWidth;
-  const float h = kHeight;
-  addQuad(*mesh, {0, 0, 0}, {w, 0, 0}, {w, w, 0}, {0, w, 0}, 0);
-  addQuad(*mesh, {0, 0, h}, {0, w, h}, {w, w, h}, {w, 0, h}, 1);
-  addQuad(*mesh, {0, 0, 0}, {0, 0, h}, {w, 0, h}, {w, 0, 0}, 1);
-  addQuad(*mesh, {0, w, 0}, {w, w, 0}, {w, w, h}, {0, w, h}, 1);
-  addQuad(*mesh, {0, 0, 0}, {0, w, 0}, {0, w, h}, {0, 0, h}, 1);
-  addQuad(*mesh, {w, 0, 0}, {w, 0, h}, {w, w, h}, {w, w, 0}, 1);
-  return mesh;
-}
-
-scene::Material material(double diffuse, double specular, double roughness) {
-  scene::Material m;
-  m.diffuse = dvec3(diffuse);
-  m.specular = specular;
-  m.roughness = roughness;
-  return m;
-}
-
-struct Room {
-  scene::Scene scene;
-  std::shared_ptr<relight::Lighting> lighting;
-  std::unique_ptr<ViewScene> view;
-
-  Room(const scene::Material& floor, const scene::Material& walls,
-       const std::vector<light::Luminaire>& lamps) {
-    scene.mesh = roomMesh();
-    scene.materials = {floor, walls};
-    scene.luminaires = lamps;
-    // Texels and lists do not know materials: one bake for all.
-    static const auto statics = transfer::makeStaticScene(roomMesh(), {});
-    static const auto operators = transfer::bake(*statics, quickSettings(), {}, {});
-    EXPECT_TRUE(operators.ok());
-    lighting = std::make_shared<relight::Lighting>(
-        std::make_shared<const relight::Solver>(statics, *operators, scene.materials));
-    EXPECT_TRUE(lighting->setLuminaires(lamps).ok());
-    const std::shared_ptr<const geometry::RayCaster> caster(lighting,
-                                                            &lighting->solver().scene().caster);
-    std::vector<light::Emitter> emitters;
-    for (const auto& lamp : lamps) emitters.push_back(*light::makeEmitter(lamp));
-    view = std::make_unique<ViewScene>(std::make_shared<scene::Scene>(scene), caster,
-                                       std::move(emitters));
-  }
-  [[nodiscard]] const transfer::Texels& texels() const {
-    return lighting->solver().operators().texels;
-  }
-  /// Lumens on all texels.
-  [[nodiscard]] double flux(const std::vector<float>& lux) const {
-    double sum = 0.0;
-    for (std::size_t s = 0; s < lux.size(); ++s) {
-      sum += static_cast<double>(lux[s]) * static_cast<double>(texels().area[s]);
-    }
-    return sum;
-  }
-};
-
-light::Luminaire spot() {
-  light::Luminaire lamp = panel({1.2, 1.5, 2.0}, 0.02, 1000.0);
-  return lamp;
-}
+using testing::kHeight;
+using testing::LitRoom;
+using testing::material;
+using testing::spot;
 
 TEST(ThrownLight, AMirrorFloorShowsASecondLampBelow) {
-  const Room room(material(0.0, 1.0, 0.0), material(0.0, 0.0, 0.5), {spot()});
+  const LitRoom room(material(0.0, 1.0, 0.0), material(0.0, 0.0, 0.5), {spot()});
   constexpr std::size_t kSamples = 1U << 20U;
   const auto lux = thrownLight(*room.view, *room.lighting, {.samples = kSamples, .most_passes = 1});
   ASSERT_TRUE(lux.ok());
@@ -118,7 +50,7 @@ TEST(ThrownLight, AMirrorFloorShowsASecondLampBelow) {
 TEST(ThrownLight, WhatArrivesLeavesByTheLobe) {
   // Every lumen on a white metal floor leaves it but for the lobe's single-scattering loss, and
   // lands: walls, ceiling and, after another reflection, nowhere else in a convex room.
-  const Room room(material(0.0, 1.0, 0.5), material(0.4, 0.0, 0.5), {spot()});
+  const LitRoom room(material(0.0, 1.0, 0.5), material(0.4, 0.0, 0.5), {spot()});
   const auto lux = thrownLight(*room.view, *room.lighting, {.most_passes = 1});
   ASSERT_TRUE(lux.ok());
   const relight::Planes total = room.lighting->total();
@@ -138,7 +70,7 @@ TEST(ThrownLight, BringsTheCeilingNearThePathTracer) {
   const scene::Material floor = material(0.1, 0.6, 0.25);
   light::Luminaire lamp = spot();
   lamp.rotation_deg = {0.0, -55.0, 0.0};  // at the floor's far half: the lobe throws it on
-  const Room room(floor, material(0.1, 0.0, 0.5), {lamp});
+  const LitRoom room(floor, material(0.1, 0.0, 0.5), {lamp});
   const auto plain = std::make_shared<const EngineLight>(room.lighting);
   const auto thrown = EngineLight::withThrownLight(room.lighting, *room.view, {.noise = 0.003});
   ASSERT_TRUE(thrown.ok());
@@ -175,7 +107,7 @@ TEST(ThrownLight, BringsTheCeilingNearThePathTracer) {
 }
 
 TEST(ThrownLight, CostsNothingWhereNothingReflects) {
-  const Room room(material(0.3, 0.0, 0.5), material(0.5, 0.0, 0.5), {spot()});
+  const LitRoom room(material(0.3, 0.0, 0.5), material(0.5, 0.0, 0.5), {spot()});
   const auto lux = thrownLight(*room.view, *room.lighting);
   ASSERT_TRUE(lux.ok());
   for (const auto& plane : *lux) EXPECT_TRUE(plane.empty());
@@ -190,7 +122,7 @@ TEST(ThrownLight, CostsNothingWhereNothingReflects) {
 }
 
 TEST(ThrownLight, IsTheSameOnAnyNumberOfThreadsAndStopsWhenAsked) {
-  const Room room(material(0.2, 0.3, 0.4), material(0.5, 0.0, 0.5), {spot()});
+  const LitRoom room(material(0.2, 0.3, 0.4), material(0.5, 0.0, 0.5), {spot()});
   const ThrownLightOptions options{.samples = 1U << 14U, .noise = 0.0, .most_passes = 2};
   setThreadCount(1);
   const auto one = thrownLight(*room.view, *room.lighting, options);
