@@ -47,7 +47,6 @@ Result<void> LayoutPictures::take(const io::Project& variant, const std::string&
       variant.scene,
       std::shared_ptr<const geometry::RayCaster>(lighting, &lighting->solver().scene().caster));
   if (!view_scene) return view_scene.error();
-  const render::EngineLight light(lighting);
   render::RenderOptions options;
   options.width = options_.width;
   options.height = options_.height;
@@ -56,8 +55,16 @@ Result<void> LayoutPictures::take(const io::Project& variant, const std::string&
     options.quantity = render::Quantity::illuminance;
   }
   options.edge_white = 4.0F / color::exposureScale(picture_.exposure_ev);
+  std::shared_ptr<const render::EngineLight> light;
+  if (options.quantity == render::Quantity::luminance) {
+    auto thrown = render::EngineLight::withThrownLight(lighting, **view_scene, {}, job);
+    if (!thrown) return thrown.error();
+    light = std::move(*thrown);
+  } else {
+    light = std::make_shared<const render::EngineLight>(lighting);
+  }
   for (std::size_t c = 0; c < cameras_.size(); ++c) {
-    auto film = render::renderView(**view_scene, cameras_[c], light, options, job);
+    auto film = render::renderView(**view_scene, cameras_[c], *light, options, job);
     if (!film) return film.error();
     if (auto_exposure_) {
       picture_.exposure_ev = color::autoExposure(film->radiance);

@@ -3263,6 +3263,22 @@
             <numerusform>%n Bilder</numerusform>
         </translation>
     </message>
+    <message>
+        <source>As in the view</source>
+        <translation>Wie in der Ansicht</translation>
+    </message>
+    <message>
+        <source>Ray traced: reflections, exact shadows</source>
+        <translation>Strahlverfolgt: Spiegelungen, genaue Schatten</translation>
+    </message>
+    <message>
+        <source>Ray traced pictures take seconds to minutes. False colours, isolux lines and flat views are always drawn as in the view.</source>
+        <translation>Strahlverfolgte Bilder dauern Sekunden bis Minuten. Falschfarben, Isoluxlinien und flache Ansichten werden immer wie in der Ansicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Rendering</source>
+        <translation>Berechnung</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::PictureExport</name>
@@ -3305,6 +3321,10 @@
     <message>
         <source>There is no light to take a picture of yet. Wait until the first light is computed.</source>
         <translation>Es gibt noch kein Licht, das sich aufnehmen ließe. Warten Sie, bis das erste Licht berechnet ist.</translation>
+    </message>
+    <message>
+        <source>%1 is drawn as in the view: false colours, isolux lines and flat views are not traced</source>
+        <translation>%1 wird wie in der Ansicht gezeichnet: Falschfarben, Isoluxlinien und flache Ansichten werden nicht verfolgt</translation>
     </message>
 </context>
 <context>

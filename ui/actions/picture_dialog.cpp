@@ -77,6 +77,12 @@ void PictureDialog::build(const QSize& view) {
   format_->addItem(tr("JPEG, as it is seen"), QStringLiteral("jpg"));
   format_->addItem(tr("TIFF, as it is seen"), QStringLiteral("tif"));
   format_->addItem(tr("OpenEXR, luminance in cd/m\u00b2"), QStringLiteral("exr"));
+  rendering_ = new QComboBox;
+  rendering_->addItem(tr("As in the view"), false);
+  rendering_->addItem(tr("Ray traced: reflections, exact shadows"), true);
+  rendering_->setToolTip(
+      tr("Ray traced pictures take seconds to minutes. False colours, isolux lines and flat "
+         "views are always drawn as in the view."));
   legend_ = new QCheckBox(tr("Legend of false colours"));
   legend_->setChecked(true);
   title_ = new QCheckBox(tr("Title: project, layout and camera"));
@@ -104,6 +110,7 @@ void PictureDialog::build(const QSize& view) {
   size->addStretch(1);
   form->addRow(tr("Size"), preset_);
   form->addRow(QString(), size);
+  form->addRow(tr("Rendering"), rendering_);
   form->addRow(tr("Format"), format_);
   form->addRow(QString(), legend_);
   form->addRow(QString(), title_);
@@ -150,6 +157,10 @@ bool PictureDialog::legend() const {
 
 bool PictureDialog::title() const {
   return title_->isChecked();
+}
+
+bool PictureDialog::traced() const {
+  return rendering_->currentData().toBool();
 }
 
 QStringList PictureDialog::cameras() const {

@@ -35,6 +35,8 @@ class PictureDialog : public QDialog {
   [[nodiscard]] QString format() const;
   [[nodiscard]] bool legend() const;
   [[nodiscard]] bool title() const;
+  /// With exact shadows and reflections instead of as the view draws it.
+  [[nodiscard]] bool traced() const;
   /// Of a set.
   [[nodiscard]] QStringList cameras() const;
   [[nodiscard]] QStringList layouts() const;
@@ -48,6 +50,7 @@ class PictureDialog : public QDialog {
   QComboBox* preset_;
   QSpinBox* width_;
   QSpinBox* height_;
+  QComboBox* rendering_;
   QComboBox* format_;
   QCheckBox* legend_;
   QCheckBox* title_;

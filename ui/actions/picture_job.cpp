@@ -18,6 +18,7 @@ PictureJob::PictureJob() {
     if (!std::exchange(holds_memory_, false)) return;
     background_.run([this]() -> Background::End {
       renderer_.release();
+      tracer_.release();
       return {};
     });
   });
@@ -36,7 +37,9 @@ void PictureJob::cancel() {
 PictureOutcome PictureJob::make(PictureOrder& order, const std::stop_token& stop) {
   PictureOutcome outcome;
   try {
-    auto picture = renderer_.render(order.still, Job{&relay_, stop});
+    const Job job{&relay_, stop};
+    const bool traced = order.still.shot.traced && isTraceable(order.still);
+    auto picture = traced ? tracer_.draw(order.still, job) : renderer_.render(order.still, job);
     outcome.cancelled = stop.stop_requested();
     if (outcome.cancelled) return outcome;
     if (!picture) {

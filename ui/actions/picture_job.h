@@ -5,6 +5,7 @@
 #include "ui/jobs/background.h"
 #include "ui/jobs/progress_relay.h"
 #include "ui/viewport/still_renderer.h"
+#include "ui/viewport/traced_still.h"
 
 #include <QObject>
 
@@ -54,6 +55,7 @@ class PictureJob : public QObject {
   std::stop_source stop_;
   ProgressRelay relay_;
   StillRenderer renderer_;
+  TracedStill tracer_;
   Background background_;
 };
 

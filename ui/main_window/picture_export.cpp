@@ -62,6 +62,8 @@ std::optional<PictureOrder> PictureExport::order(const Wanted& wanted) const {
   shot.pixels = wanted.pixels;
   shot.linear = !wanted.path.isEmpty() && io::isSceneLinear(toPath(wanted.path));
   shot.lux = !view.look().levels.empty() && !shot.linear;
+  shot.traced = wanted.traced;
+  if (wanted.traced) shot.lamps = comparison_.lights().luminairesOf(wanted.layout);
   for (const scene::Camera& camera : document_.scene()->cameras) {
     if (toQt(camera.name) == wanted.camera) shot.camera = ViewCamera::from(camera);
   }
@@ -97,6 +99,11 @@ void PictureExport::take(const Wanted& wanted) {
 }
 
 void PictureExport::start(PictureOrder order, const Wanted& wanted) {
+  if (wanted.traced && !isTraceable(order.still)) {
+    workspace_.log->addLine(
+        tr("%1 is drawn as in the view: false colours, isolux lines and flat views are not traced")
+            .arg(QFileInfo(wanted.path).fileName()));
+  }
   showProgress(0.0);
   job_.take(std::move(order),
             [this, wanted](const PictureOutcome& outcome) { end(wanted, outcome); });
@@ -136,13 +143,15 @@ void PictureExport::showProgress(double within) {
                                   (ended_ + within) / static_cast<double>(asked_));
 }
 
-void PictureExport::exportView(const QString& path, const QSize& pixels, bool legend, bool title) {
+void PictureExport::exportView(const QString& path, const QSize& pixels, bool legend, bool title,
+                               bool traced) {
   Wanted wanted;
   wanted.layout = document_.layout();
   wanted.path = path;
   wanted.pixels = pixels;
   wanted.legend = legend;
   wanted.title = title;
+  wanted.traced = traced;
   take(wanted);
 }
 
@@ -158,7 +167,7 @@ void PictureExport::exportView() {
       tr("Pictures (*.%1)").arg(ending));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QLatin1Char('.') + ending;
-  exportView(path, dialog.pixels(), dialog.legend(), dialog.title());
+  exportView(path, dialog.pixels(), dialog.legend(), dialog.title(), dialog.traced());
 }
 
 void PictureExport::copyView() {
@@ -186,14 +195,14 @@ void PictureExport::exportSet() {
                                                            QFileInfo(document_.path()).path());
   if (folder.isEmpty()) return;
   exportSet({dialog.cameras(), dialog.layouts(), dialog.pixels(), dialog.format(), folder,
-             dialog.legend(), dialog.title()});
+             dialog.legend(), dialog.title(), dialog.traced()});
 }
 
 void PictureExport::exportSet(const PictureSet& set) {
   for (const QString& layout : set.layouts) {
     for (const QString& camera : set.cameras) {
-      left_.push_back(
-          {camera, layout, pathOf(set, camera, layout), set.pixels, set.legend, set.title, true});
+      left_.push_back({camera, layout, pathOf(set, camera, layout), set.pixels, set.legend,
+                       set.title, set.traced, true});
     }
   }
   asked_ += static_cast<int>(set.layouts.size() * set.cameras.size());

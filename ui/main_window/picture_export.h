@@ -23,6 +23,7 @@ struct PictureSet {
   QString folder;
   bool legend = true;
   bool title = false;
+  bool traced = false;  ///< as `soffit render` makes them, where that shows the same
 };
 
 /// Pictures of a project's view: into files, into the clipboard, and sets over cameras and layouts.
@@ -42,7 +43,8 @@ class PictureExport : public QObject {
   void copyView();
 
   /// The same without asking. Told by written() or failed().
-  void exportView(const QString& path, const QSize& pixels, bool legend, bool title);
+  void exportView(const QString& path, const QSize& pixels, bool legend, bool title,
+                  bool traced = false);
   void exportSet(const PictureSet& set);
   /// Gives up what is under way; pictures that are written stay.
   void cancel();
@@ -64,6 +66,7 @@ class PictureExport : public QObject {
     QSize pixels;
     bool legend = true;
     bool title = false;
+    bool traced = false;
     bool of_set = false;
   };
   /// Nothing while its light is not there.

@@ -28,6 +28,8 @@ struct Shot {
   int samples = 0;      ///< per pixel; 0: as many as a view at rest
   bool linear = false;  ///< also the light itself
   bool lux = false;     ///< also the illuminance of surfaces
+  bool traced = false;  ///< with exact shadows and reflections (TracedStill), where it can be
+  std::vector<light::Luminaire> lamps;  ///< if traced: whose light it is
 };
 
 struct Picture {

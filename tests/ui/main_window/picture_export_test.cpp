@@ -149,6 +149,69 @@ class PictureExportTest : public QObject {
     QCOMPARE(fixture_->document().layout(), QStringLiteral("Classic"));
   }
 
+  void aTracedPictureIsTheSameViewInMoreDetail() {
+    const QSize size = fixture_->view().pixelSize() / 3;
+    const QString drawn = fixture_->folder.filePath(QStringLiteral("drawn.png"));
+    const QString traced = fixture_->folder.filePath(QStringLiteral("traced.png"));
+    write(drawn, size);
+    write(traced, size, false, false, true);
+    const QImage a = QImage(drawn).convertToFormat(QImage::Format_RGB888);
+    const QImage b = QImage(traced).convertToFormat(QImage::Format_RGB888);
+    QCOMPARE(b.size(), size);
+    QVERIFY(a != b);
+    // Direct light per pixel instead of per texel moves shadows' edges, not the light.
+    QVERIFY2(std::abs(meanOf(a) - meanOf(b)) < 2.0,
+             qPrintable(QStringLiteral("%1 %2").arg(meanOf(a)).arg(meanOf(b))));
+    qsizetype close = 0;
+    for (int y = 0; y < size.height(); ++y) {
+      for (int x = 0; x < size.width(); ++x) {
+        close += std::abs(qGreen(a.pixel(x, y)) - qGreen(b.pixel(x, y))) <= 8 ? 1 : 0;
+      }
+    }
+    QVERIFY2(close > 0.85 * size.width() * size.height(), qPrintable(QString::number(close)));
+  }
+
+  void falseColoursAreNeverTraced() {
+    fixture_->window->workspace().view->setFalseColor(true);
+    const QString drawn = fixture_->folder.filePath(QStringLiteral("drawn lux.png"));
+    const QString traced = fixture_->folder.filePath(QStringLiteral("traced lux.png"));
+    write(drawn, {160, 100});
+    write(traced, {160, 100}, false, false, true);
+    fixture_->window->workspace().view->setFalseColor(false);
+    QCOMPARE(QImage(traced), QImage(drawn));
+  }
+
+  void tracedPicturesOfASetHaveTheLightOfTheirLayouts() {
+    PictureSet set;
+    set.cameras = {QStringLiteral("Classic"), QStringLiteral("Inside")};
+    set.layouts = {QStringLiteral("Classic"), QStringLiteral("Coloured")};
+    set.pixels = {96, 60};
+    set.format = QStringLiteral("exr");
+    set.folder = fixture_->folder.filePath(QStringLiteral("traced"));
+    set.traced = true;
+    QDir().mkpath(set.folder);
+    QSignalSpy finished(&pictures(), &PictureExport::setFinished);
+    pictures().exportSet(set);
+    QTRY_VERIFY_WITH_TIMEOUT(!finished.isEmpty() && !pictures().isBusy(), kPatienceMs);
+    QCOMPARE(finished.front().front().toInt(), 4);
+    const auto redShare = [&](const char* layout) {
+      const QString name = QString::fromLatin1(layout) + QStringLiteral(", Classic.exr");
+      const auto read = io::readImage(QDir(set.folder).filePath(name).toStdString());
+      double red = 0.0;
+      double all = 0.0;
+      for (std::size_t i = 0; read.ok() && i + 2 < read->pixels.size(); i += 3) {
+        red += read->pixels[i];
+        all += read->pixels[i] + read->pixels[i + 1] + read->pixels[i + 2];
+      }
+      return all > 0.0 ? red / all : 0.0;
+    };
+    const double plain = redShare("Classic");
+    const double coloured = redShare("Coloured");
+    QVERIFY(plain > 0.0 && coloured > 0.0);
+    QVERIFY2(std::abs(plain - coloured) > 0.01,
+             qPrintable(QStringLiteral("%1 %2").arg(plain).arg(coloured)));
+  }
+
   void aSetCanBeGivenUp() {
     PictureSet set;
     set.cameras = {QStringLiteral("Classic"), QStringLiteral("Inside")};
@@ -298,10 +361,11 @@ class PictureExportTest : public QObject {
 
  private:
   PictureExport& pictures() { return fixture_->window->session()->pictures(); }
-  void write(const QString& path, const QSize& size, bool legend = false, bool title = false) {
+  void write(const QString& path, const QSize& size, bool legend = false, bool title = false,
+             bool traced = false) {
     QSignalSpy written(&pictures(), &PictureExport::written);
-    pictures().exportView(path, size, legend, title);
-    QTRY_VERIFY(!written.isEmpty());
+    pictures().exportView(path, size, legend, title, traced);
+    QTRY_VERIFY_WITH_TIMEOUT(!written.isEmpty(), kPatienceMs);
     QCOMPARE(written.front().front().toString(), path);
   }
   static double meanOf(const QImage& image) {
