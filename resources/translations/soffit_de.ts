@@ -3032,6 +3032,14 @@
         <source>Imperial: ft, fc</source>
         <translation>Angloamerikanisch: ft, fc</translation>
     </message>
+    <message>
+        <source>Ray traced at rest</source>
+        <translation>Strahlverfolgt in Ruhe</translation>
+    </message>
+    <message>
+        <source>Reflections and exact shadows, some seconds after nothing moves any more</source>
+        <translation>Spiegelungen und genaue Schatten, einige Sekunden nachdem sich nichts mehr bewegt</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::MakingLuminous</name>
@@ -3739,6 +3747,17 @@
     <message>
         <source>computed in %L1 s</source>
         <translation>in %L1 s berechnet</translation>
+    </message>
+</context>
+<context>
+    <name>soffit::ui::RestTracer</name>
+    <message>
+        <source>Ray tracing the view</source>
+        <translation>Ansicht wird strahlverfolgt</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to trace the view</source>
+        <translation>Der Speicher reicht nicht, um die Ansicht strahlzuverfolgen</translation>
     </message>
 </context>
 <context>

@@ -43,20 +43,30 @@ void MainWindow::makeViewMenu() {
                                    this, [this](bool on) { workspace_.view->setFalseColor(on); });
   forProject(false_color);
   connect(workspace_.view, &ViewPanel::falseColorChanged, false_color, &QAction::setChecked);
-  QAction* isolines = addToggle(menu,
-                                {tr("&Isolux lines"), QKeySequence(Qt::Key_I),
-                                 tr("Lines of equal illuminance, on surfaces or work planes"),
-                                 "Isolux lines"},
-                                this, [this](bool on) { workspace_.view->setIsolines(on); });
+  QAction* isolines =
+      addToggle(menu,
+                {tr("&Isolux lines"), QKeySequence(Qt::Key_I),
+                 tr("Lines of equal illuminance, on surfaces or work planes"), "Isolux lines"},
+                this, [this](bool on) { workspace_.view->setIsolines(on); });
   forProject(isolines);
   connect(workspace_.view, &ViewPanel::isolinesChanged, isolines, &QAction::setChecked);
-  QAction* values = addToggle(menu,
-                              {tr("Wor&k plane values"), QKeySequence(Qt::Key_N),
-                               tr("Illuminance in numbers at the points of the work planes"),
-                               "Work plane values"},
-                              this, [this](bool on) { workspace_.view->setValues(on); });
+  QAction* values = addToggle(
+      menu,
+      {tr("Wor&k plane values"), QKeySequence(Qt::Key_N),
+       tr("Illuminance in numbers at the points of the work planes"), "Work plane values"},
+      this, [this](bool on) { workspace_.view->setValues(on); });
   forProject(values);
   connect(workspace_.view, &ViewPanel::valuesChanged, values, &QAction::setChecked);
+  QAction* traced =
+      addToggle(menu,
+                {tr("Ray traced at rest"), QKeySequence(Qt::Key_T),
+                 tr("Reflections and exact shadows, some seconds after nothing moves any more"),
+                 "Ray traced at rest"},
+                this, [this](bool on) {
+                  if (session() != nullptr) session()->tracer().setWanted(on);
+                });
+  traced->setChecked(RestTracer::isWanted());
+  forProject(traced);
   forProject(addEntry(menu, {tr("&Brighter"), QKeySequence(tr("Ctrl+Up")), {}, "Brighter"}, this,
                       [this] { workspace_.view->stepExposure(0.25); }));
   forProject(addEntry(menu, {tr("&Darker"), QKeySequence(tr("Ctrl+Down")), {}, "Darker"}, this,

@@ -63,7 +63,11 @@ std::optional<PictureOrder> PictureExport::order(const Wanted& wanted) const {
   shot.linear = !wanted.path.isEmpty() && io::isSceneLinear(toPath(wanted.path));
   shot.lux = !view.look().levels.empty() && !shot.linear;
   shot.traced = wanted.traced;
-  if (wanted.traced) shot.lamps = comparison_.lights().luminairesOf(wanted.layout);
+  if (wanted.traced) {
+    shot.lamps = wanted.layout == document_.layout()
+                     ? document_.litLuminaires()
+                     : comparison_.lights().luminairesOf(wanted.layout);
+  }
   for (const scene::Camera& camera : document_.scene()->cameras) {
     if (toQt(camera.name) == wanted.camera) shot.camera = ViewCamera::from(camera);
   }

@@ -72,6 +72,7 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
   connect(&others, &OtherLights::ready, &views, &ViewGrid::catchUp);
   marks_ = std::make_unique<LightMarks>(document_, relighting_, readings_, workspace_);
   pictures_ = std::make_unique<PictureExport>(document_, workspace_, *comparison_, *marks_);
+  tracer_ = std::make_unique<RestTracer>(document_, workspace_, relighting_);
   connect(pictures_.get(), &PictureExport::failed, this, [this](const QString& message) {
     showError(workspace_.area->window(), tr("The picture was not written"), message);
   });
@@ -83,6 +84,7 @@ ProjectSession::ProjectSession(io::Project project, Workspace& workspace, QObjec
 
 ProjectSession::~ProjectSession() {
   workspace_.area->grid().setOtherLayouts({});
+  tracer_.reset();
   pictures_.reset();
   marks_.reset();
   comparison_.reset();

@@ -9,6 +9,7 @@
 #include "ui/main_window/comparison_session.h"
 #include "ui/main_window/light_marks.h"
 #include "ui/main_window/picture_export.h"
+#include "ui/main_window/rest_tracer.h"
 #include "ui/main_window/view_area.h"
 #include "ui/main_window/workspace.h"
 
@@ -34,6 +35,7 @@ class ProjectSession : public QObject {
   [[nodiscard]] ComparisonSession& comparison() { return *comparison_; }
   [[nodiscard]] LightMarks& marks() { return *marks_; }
   [[nodiscard]] PictureExport& pictures() { return *pictures_; }
+  [[nodiscard]] RestTracer& tracer() { return *tracer_; }
   /// In the active view.
   void showCamera(const QString& name);
   /// The project's first camera, or somewhere in the building.
@@ -65,6 +67,7 @@ class ProjectSession : public QObject {
   std::unique_ptr<ComparisonSession> comparison_;
   std::unique_ptr<LightMarks> marks_;
   std::unique_ptr<PictureExport> pictures_;
+  std::unique_ptr<RestTracer> tracer_;
 };
 
 }  // namespace soffit::ui

@@ -187,4 +187,11 @@ std::vector<float> GlTarget::read() const {
   return pixels;
 }
 
+void GlTarget::write(const std::vector<float>& pixels) const {
+  const auto wanted = 4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+  if (pixels.size() != wanted) return;
+  glBindTexture(GL_TEXTURE_2D, color_);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_FLOAT, pixels.data());
+}
+
 }  // namespace soffit::ui

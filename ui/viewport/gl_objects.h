@@ -77,6 +77,8 @@ class GlTarget {
   [[nodiscard]] int height() const { return height_; }
   /// Reads it back, four floats per pixel, the bottom row first.
   [[nodiscard]] std::vector<float> read() const;
+  /// Puts a picture into it, as read() gives it. Errors: none; another size is ignored.
+  void write(const std::vector<float>& pixels) const;
 
  private:
   unsigned framebuffer_ = 0;

@@ -72,13 +72,17 @@ void PicturePass::setSample(int sample, double scale) {
 void PicturePass::shoot(vtkRenderer* renderer, int width, int height) {
   linear_.resize(width, height, GlTarget::Format::linear_with_depth);
   finished_.resize(width, height, GlTarget::Format::display);
-  linear_.bind();
-  const int* size = renderer->GetRenderWindow()->GetSize();
-  const vec2 shift = 2.0F * sampleOffset(sample_) / vec2(width, height);
-  const double aspect = static_cast<double>(size[0]) / size[1];
-  const DrawnView view = drawnView(*renderer->GetActiveCamera(), aspect, cut_);
-  building.setView(view.clip_from_scene, view.eye, view.cuts);
-  building.draw(shift, vec3(0.0F));
+  if (traced_ != nullptr) {
+    linear_.write(*traced_);
+  } else {
+    linear_.bind();
+    const int* size = renderer->GetRenderWindow()->GetSize();
+    const vec2 shift = 2.0F * sampleOffset(sample_) / vec2(width, height);
+    const double aspect = static_cast<double>(size[0]) / size[1];
+    const DrawnView view = drawnView(*renderer->GetActiveCamera(), aspect, cut_);
+    building.setView(view.clip_from_scene, view.eye, view.cuts);
+    building.draw(shift, vec3(0.0F));
+  }
   if (sample_ == 0) display.learn(linear_);
   finished_.bind();
   display.draw(linear_);

@@ -6,6 +6,10 @@
 
 #include <vtkRenderPass.h>
 
+#include <memory>
+#include <utility>
+#include <vector>
+
 class vtkCamera;
 class vtkRenderer;
 
@@ -47,6 +51,9 @@ class PicturePass : public vtkRenderPass {
   void setSample(int sample, double scale);
   /// Of a parallel camera: the building is cut away up to this depth, m; 0: it is not.
   void setCut(double depth) { cut_ = depth; }
+  /// Shows this picture of the building in place of its own: as GlTarget::read() has it, in the
+  /// window's size. Null: its own.
+  void setTraced(std::shared_ptr<const std::vector<float>> light) { traced_ = std::move(light); }
   /// Shows the last picture again under a changed overlay, if it has the window's size.
   void reuseOnce() { reuse_ = true; }
   [[nodiscard]] int sample() const { return sample_; }
@@ -69,6 +76,7 @@ class PicturePass : public vtkRenderPass {
   bool summed_ = false;
   double scale_ = 1.0;
   double cut_ = 0.0;
+  std::shared_ptr<const std::vector<float>> traced_;
   GlTarget linear_;
   GlTarget finished_;
   GlTarget sum_;

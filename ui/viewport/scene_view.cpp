@@ -5,6 +5,7 @@
 #include "ui/document/text.h"
 #include "ui/viewport/picture_pass.h"
 #include "ui/viewport/plain_preview.h"
+#include "ui/viewport/traced_still.h"
 
 #include <algorithm>
 #include <cmath>
@@ -252,7 +253,7 @@ void SceneView::restart() {
 }
 
 void SceneView::refine() {
-  if (moving_ || drew_scaled_ || mesh_ == nullptr || !isVisible()) return;
+  if (moving_ || drew_scaled_ || mesh_ == nullptr || !isVisible() || showsTraced()) return;
   if (sample_ + 1 >= PicturePass::kMostSamples) return;
   ++sample_;
   // After what waits: mouse, keys, new light.
@@ -289,6 +290,9 @@ void SceneView::paintGL() {
     pass().reuseOnce();
   } else {
     const double scale = moving_ ? movingScale() : 1.0;
+    pass().setTraced(showsTraced()
+                         ? std::shared_ptr<const std::vector<float>>(traced_, &traced_->light)
+                         : nullptr);
     pass().setSample(moving_ ? 0 : sample_, scale);
     drew_scaled_ = scale < 1.0;
   }
@@ -297,6 +301,18 @@ void SceneView::paintGL() {
   if (std::exchange(light_pending_, false)) {
     Q_EMIT lightShown(frame_ == nullptr ? 0 : frame_->revision, frameMilliseconds());
   }
+}
+
+void SceneView::showTraced(std::shared_ptr<const TracedView> picture) {
+  if (picture == nullptr && traced_ == nullptr) return;
+  traced_ = std::move(picture);
+  restart();
+}
+
+bool SceneView::showsTraced() const {
+  return traced_ != nullptr && !moving_ && frame_ != nullptr && scene_ != nullptr &&
+         traced_->camera == view_ && traced_->pixels == pixelSize() && isTraceable(view_, look_) &&
+         showsSame(*traced_->frame, *traced_->scene, *frame_, *scene_);
 }
 
 std::vector<vec3> SceneView::readLinear() {

@@ -9,6 +9,7 @@
 #include "ui/viewport/pointing.h"
 #include "ui/viewport/shot.h"
 #include "ui/viewport/still.h"
+#include "ui/viewport/traced_view.h"
 #include "ui/viewport/view_camera.h"
 #include "ui/viewport/vtk_view.h"
 
@@ -97,6 +98,10 @@ class SceneView : public VtkView {
   /// The same for another thread to make (StillRenderer), without marks; nothing where take() has
   /// no image.
   [[nodiscard]] std::optional<Still> still(const Shot& shot);
+  /// Shows a traced picture for as long as it fits what is to be seen; null: none.
+  void showTraced(std::shared_ptr<const TracedView> picture);
+  /// Whether that is on the screen, or will be with the next frame.
+  [[nodiscard]] bool showsTraced() const;
   /// Shows the building with the mesh that another view of it has cut already.
   void shareMesh(const SceneView& other);
   /// The solver whose mesh is shown; null before there is one.
@@ -180,6 +185,7 @@ class SceneView : public VtkView {
   GizmoTool tool_ = GizmoTool::move;
   bool gizmo_shown_ = true;
   GizmoPart highlight_ = GizmoPart::none;
+  std::shared_ptr<const TracedView> traced_;
   bool lit_from_frame_ = false;  ///< what is drawn is frame_, not what came before it
   bool light_pending_ = false;
   bool moving_ = false;

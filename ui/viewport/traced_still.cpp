@@ -4,6 +4,7 @@
 #include "core/color/exposure.h"
 #include "core/render/picture.h"
 #include "core/render/view_renderer.h"
+#include "ui/viewport/traced_view.h"
 
 #include <algorithm>
 #include <array>
@@ -73,28 +74,31 @@ Error cancelled() {
 
 }  // namespace
 
-bool isTraceable(const Still& still) {
-  return !still.camera.isParallel() && !still.look.false_color && !still.look.difference &&
-         still.look.levels.empty();
+bool isTraceable(const ViewCamera& camera, const Look& look) {
+  return !camera.isParallel() && !look.false_color && !look.difference && look.levels.empty();
 }
 
 Result<void> TracedStill::take(const Still& still, const Job& job) {
-  if (light_ != nullptr && frame_ == still.frame && scene_ == still.scene) return {};
-  release();
-  const auto lighting = std::make_shared<relight::Lighting>(still.frame->solver);
-  if (const auto set = lighting->setLuminaires(still.shot.lamps, job); !set) return set.error();
-  if (still.frame->outside != nullptr) {
-    if (const auto set = lighting->setEnvironment(still.frame->outside, job); !set) {
+  if (light_ != nullptr && showsSame(*frame_, *scene_, *still.frame, *still.scene)) return {};
+  // Nothing may look at the luminaires while they change.
+  light_.reset();
+  view_.reset();
+  if (lighting_ == nullptr || &lighting_->solver() != still.frame->solver.get()) {
+    lighting_ = std::make_shared<relight::Lighting>(still.frame->solver);
+  }
+  if (const auto set = lighting_->setLuminaires(still.shot.lamps, job); !set) return set.error();
+  if (lighting_->environment() != still.frame->outside.get()) {
+    if (const auto set = lighting_->setEnvironment(still.frame->outside, job); !set) {
       return set.error();
     }
   }
   if (job.cancelled()) return cancelled();
-  const auto emitters = lighting->emitters();
-  const std::shared_ptr<const geometry::RayCaster> caster(lighting,
-                                                          &lighting->solver().scene().caster);
+  const auto emitters = lighting_->emitters();
+  const std::shared_ptr<const geometry::RayCaster> caster(lighting_,
+                                                          &lighting_->solver().scene().caster);
   auto view = std::make_unique<const render::ViewScene>(
       still.scene, caster, std::vector<light::Emitter>(emitters.begin(), emitters.end()));
-  auto light = render::EngineLight::withThrownLight(lighting, *view, {}, job);
+  auto light = render::EngineLight::withThrownLight(lighting_, *view, {}, job);
   if (!light) return light.error();
   frame_ = still.frame;
   scene_ = still.scene;
@@ -106,11 +110,12 @@ Result<void> TracedStill::take(const Still& still, const Job& job) {
 void TracedStill::release() {
   light_.reset();
   view_.reset();
+  lighting_.reset();
   scene_.reset();
   frame_.reset();
 }
 
-Result<Picture> TracedStill::draw(const Still& still, const Job& job) {
+Result<render::Film> TracedStill::trace(const Still& still, const Job& job) {
   Course course(job.observer);
   const Job step{&course, job.stop};
   if (const auto taken = take(still, step); !taken) return taken.error();
@@ -119,7 +124,11 @@ Result<Picture> TracedStill::draw(const Still& still, const Job& job) {
   options.height = still.shot.pixels.height();
   options.samples = still.shot.samples > 0 ? still.shot.samples : PicturePass::kMostSamples;
   if (!still.shot.linear) options.edge_white = 4.0F / color::exposureScale(still.look.exposure_ev);
-  auto film = render::renderView(*view_, still.camera.toScene({}), *light_, options, step);
+  return render::renderView(*view_, still.camera.toScene({}), *light_, options, step);
+}
+
+Result<Picture> TracedStill::draw(const Still& still, const Job& job) {
+  auto film = trace(still, job);
   if (!film) return film.error();
   if (job.cancelled()) return cancelled();
   const auto developed = render::developPicture(*film, optionsOf(still.look));
