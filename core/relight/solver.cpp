@@ -34,10 +34,12 @@ Solver::Solver(std::shared_ptr<const transfer::StaticScene> scene,
   blocks_ = transfer::FarBlocks(operators_->texels, operators_->area);
   shadow_groups_ = transfer::makeShadowGroups(operators_->texels, operators_->fill_from);
   const transfer::Nodes& nodes = operators_->nodes;
+  const auto& clusters = operators_->texels.receivers.clusters;
   for (std::uint32_t i = 0; i < nodes.patches.size(); ++i) {
     const transfer::Nodes::Patch& p = nodes.patches[i];
-    if (p.begin == operators_->texels.receivers.clusters[first_patch_.size()].begin)
-      first_patch_.push_back(i);
+    // The last cluster may have further patches.
+    const std::size_t next = first_patch_.size();
+    if (next < clusters.size() && p.begin == clusters[next].begin) first_patch_.push_back(i);
     vec3& moment = sends_moment_.emplace_back(0.0F);
     for (std::uint32_t s = p.begin; s < p.end; ++s) {
       moment += operators_->sends[s] * vec3(1.0F, nodes.phi[s].x, nodes.phi[s].y);

@@ -59,7 +59,7 @@ class ProjectFilesTest : public QObject {
   void aNewProjectHasNoPlaceUntilItIsSaved() {
     QVERIFY(fixture_->showWindow());
     QVERIFY(fixture_->trigger(QStringLiteral("&New")));
-    QTRY_VERIFY(fixture_->window->session() != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(fixture_->window->session() != nullptr, kPatienceMs);
     const QString untitled = document().path();
     QVERIFY(isUntitledProject(untitled));
     QVERIFY(!recentFiles().contains(untitled));
@@ -69,7 +69,8 @@ class ProjectFilesTest : public QObject {
     QVERIFY(QFile::exists(place));
     // One that is closed without changes leaves nothing.
     QVERIFY(fixture_->trigger(QStringLiteral("&New")));
-    QTRY_VERIFY(fixture_->window->session() != nullptr && document().path() != place);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        fixture_->window->session() != nullptr && document().path() != place, kPatienceMs);
     const QString second = document().path();
     QVERIFY(fixture_->window->close());
     QVERIFY(!QFile::exists(second));
