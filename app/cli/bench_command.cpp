@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/bench_glossy_command.h"
+#include "app/cli/bench_growth_command.h"
 #include "app/cli/bench_prt_command.h"
 #include "app/cli/bench_report.h"
 #include "app/cli/bench_sh_command.h"
@@ -135,6 +136,7 @@ void addBenchCommand(CLI::App& app, Session& session) {
   addBenchPrtCommand(*command, session);
   addBenchShCommand(*command, session);
   addBenchGlossyCommand(*command, session);
+  addBenchGrowthCommand(*command, session);
   command->callback([&session, arguments, command] {
     if (!command->get_subcommands().empty()) return;  // theirs was called
     session.run = [arguments, &session] { return runBench(*arguments, session); };

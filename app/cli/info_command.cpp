@@ -7,42 +7,28 @@
 #include "core/base/parallel.h"
 #include "core/relight/engine.h"
 #include "core/scene/reflectances.h"
+#include "core/transfer/forecast.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
-#include <numeric>
 #include <string>
 #include <utility>
 
 namespace soffit::cli {
 namespace {
 
-/// Of the operators per display point, measured on the samples and on an imported house.
-constexpr double kBytesPerReceiver = 1000.0;
-/// Seconds of one core per point and ray in a gather list, likewise.
-constexpr double kBakeSeconds = 4.5e-7;
-
-/// Lit sides of a triangle: one of a solid's, two of a sheet's.
-constexpr double kLitSides = 1.25;
-
-/// From quality and area: what is already in the cache costs nothing.
+/// What is already in the cache costs nothing.
 Result<Cost> costOf(const scene::Scene& scene) {
   const auto quality = relight::qualitySettings(scene.quality);
   if (!quality) return quality.error();
   Cost cost;
   if (scene.mesh->triangleCount() == 0) return cost;
-  // Large buildings take more points than the quality says (BakeSettings::most_cell).
-  const std::vector<double> areas = scene::materialAreas(scene);
-  const double cells = quality->bake.whole_cells * quality->bake.texels;
-  const double square = kLitSides * std::accumulate(areas.begin(), areas.end(), 0.0) / cells;
-  const double more = square / (quality->bake.most_cell * quality->bake.most_cell);
-  const double points = quality->bake.texels * std::clamp(more, 1.0, 4.0);
-  cost.receivers = static_cast<std::size_t>(points);
-  cost.megabytes = kBytesPerReceiver * points / 1e6;
-  cost.bake_s = kBakeSeconds * points * std::pow(quality->bake.list_rays, 2) / threadCount();
+  const auto building = relight::makeStaticScene(scene);
+  const auto forecast = transfer::forecastBake(*building, quality->bake, threadCount());
+  cost.receivers = forecast.texels;
+  cost.megabytes = forecast.bytes / 1e6;
+  cost.bake_s = forecast.seconds;
   return cost;
 }
 

@@ -96,7 +96,7 @@ std::vector<double> isoLevels(const LuxScale& scale, LevelSeries series,
   }
   std::erase_if(levels, [](double level) { return !(level > 0.0) || !std::isfinite(level); });
   std::ranges::sort(levels);
-  levels.erase(std::ranges::unique(levels).begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   if (levels.size() > kMostLevels) levels.erase(levels.begin(), levels.end() - kMostLevels);
   return levels;
 }

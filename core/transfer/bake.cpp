@@ -4,6 +4,7 @@
 #include "core/transfer/hemisphere.h"
 #include "core/transfer/operators.h"
 #include "core/transfer/skeleton.h"
+#include "core/transfer/texel_plan.h"
 #include "core/transfer/training.h"
 
 #include <algorithm>
@@ -36,27 +37,15 @@ class Clock {
 /// room where few are, smaller cells everywhere are the better use; in a large building more texels
 /// are.
 Texels layTexels(const StaticScene& scene, const BakeSettings& settings) {
-  auto count = static_cast<std::size_t>(settings.texels);
-  const double least = std::min(settings.least_cell, scene.mesh->bounds().diagonal() / 200.0);
-  const auto cellFor = [&](double share) {
-    return cellForCount(*scene.mesh, scene.sides,
-                        static_cast<std::size_t>(share * static_cast<double>(count)), least);
-  };
+  const TexelPlan plan = planTexels(scene, settings);
   std::size_t useful = 0;
-  double cell = cellFor(settings.whole_cells);
-  const double most = std::max(settings.most_cell, least);
-  if (cell > most) {
-    // As many as such cells take. Not by the ratio of areas: thousands of small faces, each with a
-    // texel of its own, make cells for the rest that are far larger than they need be.
-    const std::size_t cells = makeTexels(*scene.mesh, scene.sides, most, nullptr).texelCount();
-    const auto wanted = static_cast<std::size_t>(static_cast<double>(cells) / settings.whole_cells);
-    count = std::clamp(wanted, count, 4 * count);
-    cell = std::max(most, cellFor(settings.whole_cells));
-  }
-  Texels texels = makeTexels(*scene.mesh, scene.sides, cell, &scene.caster, count, &useful);
-  const double share = 1.0 - 1.3 * static_cast<double>(useful) / static_cast<double>(count);
+  Texels texels =
+      makeTexels(*scene.mesh, scene.sides, plan.cell, &scene.caster, plan.count, &useful);
+  const double share = 1.0 - 1.3 * static_cast<double>(useful) / static_cast<double>(plan.count);
   if (share < settings.whole_cells + 0.1) return texels;
-  return makeTexels(*scene.mesh, scene.sides, cellFor(share), &scene.caster, count);
+  const auto whole = static_cast<std::size_t>(share * static_cast<double>(plan.count));
+  const double cell = cellForCount(*scene.mesh, scene.sides, whole, plan.least_cell);
+  return makeTexels(*scene.mesh, scene.sides, cell, &scene.caster, plan.count);
 }
 
 /// Hits of every texel's rays, and with them which texels are valid (design.md section 2).

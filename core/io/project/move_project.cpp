@@ -113,10 +113,11 @@ Result<void> takeNamed(const Project& project, const NamedFiles& named, Companio
 Result<void> writePending(const Project& project) {
   const NamedFiles named = filesOf(project);
   CompanionFiles files;
-  for (const auto& [name, content] : project.pending_files) {
+  for (const auto& pending : project.pending_files) {
+    const std::string& name = pending.first;
     const bool model =
         std::ranges::any_of(named.models, [&](const NamedModel& m) { return m.file == name; });
-    if (model || named.photometry.contains(name)) files.emplace(name, content);
+    if (model || named.photometry.contains(name)) files.emplace(name, pending.second);
   }
   const fs::path folder = folderOf(project.path);
   if (auto fits = dropPresent(folder, files); !fits) return fits;

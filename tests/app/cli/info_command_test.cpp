@@ -40,6 +40,21 @@ TEST(InfoCommand, PrintsOneJsonObject) {
   }
 }
 
+TEST(InfoCommand, SaysBeforehandWhatTheBakeTakes) {
+  const io::ProjectFolder folder;
+  const std::string project = SOFFIT_SOURCE_DIR "/projects/cornell";
+  const auto numberOf = [](const ProgramResult& result, const char* name) {
+    EXPECT_EQ(result.status, 0) << result.err;
+    const auto json = io::parseJson(result.out, "stdout");
+    return json.ok() ? json->find(name)->asNumber()->value : 0.0;
+  };
+  const auto info = runSoffit(folder, {"info", project, "--json"});
+  const auto bake = runSoffit(folder, {"bake", project, "--json"});
+  EXPECT_NEAR(numberOf(info, "receivers") / numberOf(bake, "receivers"), 1.0, 0.1);
+  EXPECT_NEAR(numberOf(info, "megabytes") / (numberOf(bake, "bytes") / 1.0e6), 1.0, 0.25);
+  EXPECT_GT(numberOf(info, "bake_seconds"), 0.0);  // how many depends on who else is at work
+}
+
 TEST(InfoCommand, HonoursLayoutAndSettings) {
   const io::ProjectFolder folder;
   const std::string file = folder.write("p.soffit", io::kFullProject);
