@@ -3272,20 +3272,20 @@
         </translation>
     </message>
     <message>
-        <source>As in the view</source>
-        <translation>Wie in der Ansicht</translation>
-    </message>
-    <message>
         <source>Ray traced: reflections, exact shadows</source>
         <translation>Strahlverfolgt: Spiegelungen, genaue Schatten</translation>
     </message>
     <message>
-        <source>Ray traced pictures take seconds to minutes. False colours, isolux lines and flat views are always drawn as in the view.</source>
-        <translation>Strahlverfolgte Bilder dauern Sekunden bis Minuten. Falschfarben, Isoluxlinien und flache Ansichten werden immer wie in der Ansicht gezeichnet.</translation>
-    </message>
-    <message>
         <source>Rendering</source>
         <translation>Berechnung</translation>
+    </message>
+    <message>
+        <source>As the live view</source>
+        <translation>Wie die lebende Ansicht</translation>
+    </message>
+    <message>
+        <source>Ray traced pictures take seconds to minutes. False colours, isolux lines and flat views are always drawn live.</source>
+        <translation>Strahlverfolgte Bilder dauern Sekunden bis Minuten. Falschfarben, Isoluxlinien und flache Ansichten werden immer wie die lebende Ansicht gezeichnet.</translation>
     </message>
 </context>
 <context>

@@ -78,11 +78,11 @@ void PictureDialog::build(const QSize& view) {
   format_->addItem(tr("TIFF, as it is seen"), QStringLiteral("tif"));
   format_->addItem(tr("OpenEXR, luminance in cd/m\u00b2"), QStringLiteral("exr"));
   rendering_ = new QComboBox;
-  rendering_->addItem(tr("As in the view"), false);
+  rendering_->addItem(tr("As the live view"), false);
   rendering_->addItem(tr("Ray traced: reflections, exact shadows"), true);
   rendering_->setToolTip(
       tr("Ray traced pictures take seconds to minutes. False colours, isolux lines and flat "
-         "views are always drawn as in the view."));
+         "views are always drawn live."));
   legend_ = new QCheckBox(tr("Legend of false colours"));
   legend_->setChecked(true);
   title_ = new QCheckBox(tr("Title: project, layout and camera"));
@@ -157,6 +157,10 @@ bool PictureDialog::legend() const {
 
 bool PictureDialog::title() const {
   return title_->isChecked();
+}
+
+void PictureDialog::setTraced(bool traced) {
+  rendering_->setCurrentIndex(rendering_->findData(traced));
 }
 
 bool PictureDialog::traced() const {

@@ -35,8 +35,9 @@ class PictureDialog : public QDialog {
   [[nodiscard]] QString format() const;
   [[nodiscard]] bool legend() const;
   [[nodiscard]] bool title() const;
-  /// With exact shadows and reflections instead of as the view draws it.
+  /// With exact shadows and reflections instead of as the live view.
   [[nodiscard]] bool traced() const;
+  void setTraced(bool traced);
   /// Of a set.
   [[nodiscard]] QStringList cameras() const;
   [[nodiscard]] QStringList layouts() const;

@@ -162,6 +162,7 @@ void PictureExport::exportView(const QString& path, const QSize& pixels, bool le
 void PictureExport::exportView() {
   QWidget* window = workspace_.area->window();
   PictureDialog dialog(workspace_.area->active().view().pixelSize(), window);
+  dialog.setTraced(workspace_.area->active().view().showsTraced());
   if (dialog.exec() != QDialog::Accepted) return;
   const QFileInfo project(document_.path());
   const QString ending = dialog.format();
@@ -178,6 +179,7 @@ void PictureExport::copyView() {
   Wanted wanted;
   wanted.layout = document_.layout();
   wanted.pixels = workspace_.area->active().view().pixelSize();
+  wanted.traced = workspace_.area->active().view().showsTraced();
   take(wanted);
 }
 

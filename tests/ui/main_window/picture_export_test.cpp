@@ -346,6 +346,13 @@ class PictureExportTest : public QObject {
     QTRY_VERIFY(!failed.isEmpty());
   }
 
+  void theDialogStartsAsTheViewShowsIt() {
+    PictureDialog dialog({800, 500});
+    QVERIFY(!dialog.traced());
+    dialog.setTraced(true);
+    QVERIFY(dialog.traced());
+  }
+
   void theDialogOffersSizesAndCounts() {
     PictureDialog dialog({800, 500}, {QStringLiteral("A"), QStringLiteral("B")},
                          {QString(), QStringLiteral("L")});
