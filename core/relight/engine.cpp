@@ -115,8 +115,9 @@ Result<QualitySettings> qualitySettings(const scene::Quality& quality) {
   prt::LocalOptions unused;
   const std::vector<Setting> known = settingsOf(q, q.local ? *q.local : unused);
   for (const auto& [name, value] : quality.settings) {
-    const auto found =
-        std::find_if(known.begin(), known.end(), [&](const Setting& s) { return name == s.name; });
+    const auto found = std::find_if(known.begin(), known.end(), [&wanted = name](const Setting& s) {
+      return wanted == s.name;
+    });
     if (found == known.end()) {
       std::string names = "direct";
       for (const Setting& s : known) names += fmt::format(", {}", s.name);

@@ -24,7 +24,7 @@ constexpr float kClearance = 0.2F;
 ProbeReflections::ProbeReflections(const ViewScene& scene, std::span<const vec3> probes,
                                    const Box& room,
                                    std::shared_ptr<const glossy::ReflectionLevels> levels)
-    : scene_(scene), room_(room), levels_(std::move(levels)) {
+    : room_(room), levels_(std::move(levels)) {
   const int side = levels_->pyramid().side();
   const auto samples = std::make_shared<const sh::SphereSamples>(sh::cubeSamples(side));
   const SentAlbedo albedo(scene);

@@ -23,7 +23,7 @@ namespace soffit::render {
 /// for each point (lamp_highlights.h).
 class ProbeReflections {
  public:
-  /// scene outlives this. probes: in its frame, not in walls. room: the box that reflections are
+  /// probes: in the scene's frame, not in walls. room: the box that reflections are
   /// corrected to where no probe sees the place.
   ProbeReflections(const ViewScene& scene, std::span<const vec3> probes, const Box& room,
                    std::shared_ptr<const glossy::ReflectionLevels> levels);
@@ -49,7 +49,6 @@ class ProbeReflections {
     std::vector<std::uint32_t> texel;  ///< of each place
     std::optional<glossy::ReflectionMap> map;
   };
-  const ViewScene& scene_;
   Box room_;
   std::shared_ptr<const glossy::ReflectionLevels> levels_;
   std::vector<Probe> probes_;

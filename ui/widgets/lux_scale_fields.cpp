@@ -57,7 +57,7 @@ std::vector<double> parseLevels(const QString& text) {
     if (lux && *lux > 0.0) levels.push_back(*lux);
   }
   std::ranges::sort(levels);
-  levels.erase(std::ranges::unique(levels).begin(), levels.end());
+  levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
   return levels;
 }
 
