@@ -105,7 +105,8 @@ PictureLight::PictureLight(std::shared_ptr<const scene::Image> image, scene::Pro
   parallelFor(cells_.size(), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       for (int k = 0; k < side * side; ++k) {
-        const dvec2 at((k % side + 0.5) / side, (k / side + 0.5) / side);
+        const int row = k / side;
+        const dvec2 at((k % side + 0.5) / side, (row + 0.5) / side);
         cells_[i] += lookUp(light, SkyTable::direction(i, at)) / double(side * side);
       }
     }

@@ -63,7 +63,7 @@ class Measurement {
 
   Result<void> withEngine(const Job& job, BenchRow& row) {
     relight::Lighting all(solver_);
-    const auto set = all.setLuminaires(scene_.luminaires, job);
+    auto set = all.setLuminaires(scene_.luminaires, job);
     if (!set) return set;
     std::vector<light::Luminaire> luminaires = scene_.luminaires;
     for (std::size_t i = 0; i < luminaires.size(); ++i) luminaires[i].on = i == light_;

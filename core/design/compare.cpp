@@ -79,13 +79,10 @@ LayoutFigures layoutFigures(std::string name, std::span<const light::Emitter> em
   return figures;
 }
 
-Result<std::vector<LayoutFigures>> compareLayouts(std::shared_ptr<const relight::Solver> solver,
-                                                  std::span<const scene::WorkPlane> planes,
-                                                  std::span<const LayoutCase> layouts,
-                                                  int sensor_rays, std::uint64_t seed,
-                                                  const Job& job, const LayoutVisitor& visit,
-                                                  std::shared_ptr<const daylight::Environment>
-                                                      environment) {
+Result<std::vector<LayoutFigures>> compareLayouts(
+    const std::shared_ptr<const relight::Solver>& solver, std::span<const scene::WorkPlane> planes,
+    std::span<const LayoutCase> layouts, int sensor_rays, std::uint64_t seed, const Job& job,
+    const LayoutVisitor& visit, std::shared_ptr<const daylight::Environment> environment) {
   const std::vector<scene::Sensor> sensors = sensorsOfAll(planes);
   std::optional<relight::Sensors> prepared;
   if (!sensors.empty()) {
@@ -106,9 +103,9 @@ Result<std::vector<LayoutFigures>> compareLayouts(std::shared_ptr<const relight:
       error.place = fmt::format("layouts.{}: {}", layouts[i].name, error.place);
       return error;
     }
-    LayoutFigures figures = layoutFigures(
-        layouts[i].name, lighting->emitters(), planes,
-        prepared ? lighting->read(*prepared) : std::vector<relight::SensorLight>());
+    LayoutFigures figures =
+        layoutFigures(layouts[i].name, lighting->emitters(), planes,
+                      prepared ? lighting->read(*prepared) : std::vector<relight::SensorLight>());
     figures.lights_computed =
         newLights(i > 0 ? std::span<const light::Luminaire>(layouts[i - 1].luminaires)
                         : std::span<const light::Luminaire>(),

@@ -63,12 +63,10 @@ using LayoutVisitor =
 /// environment  shines in every layout; null: none.
 /// sensor_rays  squared: gather rays per point of a work plane (QualitySettings).
 /// Errors: a luminaire's, with the layout's name; the visitor's; cancelled.
-Result<std::vector<LayoutFigures>> compareLayouts(std::shared_ptr<const relight::Solver> solver,
-                                                  std::span<const scene::WorkPlane> planes,
-                                                  std::span<const LayoutCase> layouts,
-                                                  int sensor_rays, std::uint64_t seed,
-                                                  const Job& job, const LayoutVisitor& visit = {},
-                                                  std::shared_ptr<const daylight::Environment>
-                                                      environment = nullptr);
+Result<std::vector<LayoutFigures>> compareLayouts(
+    const std::shared_ptr<const relight::Solver>& solver, std::span<const scene::WorkPlane> planes,
+    std::span<const LayoutCase> layouts, int sensor_rays, std::uint64_t seed, const Job& job,
+    const LayoutVisitor& visit = {},
+    std::shared_ptr<const daylight::Environment> environment = nullptr);
 
 }  // namespace soffit::design

@@ -27,7 +27,7 @@ ClusteredMatrices::ClusteredMatrices(std::span<const float> visibility, int band
                                      const CpcaOptions& options)
     : bands_(bands), columns_(static_cast<std::size_t>(options.rank) + 1) {
   assert(bands >= 1 && bands <= kMaxMatrixBands);
-  const std::size_t m = sh::coefficientCount(2 * bands - 1);
+  const std::size_t m = std::max<std::size_t>(sh::coefficientCount(2 * bands - 1), 1);
   assert(visibility.size() % m == 0);
   const std::vector<double> norms = matrixNorms(bands);
   std::vector<float> scale(m);

@@ -152,8 +152,8 @@ void ReadingsWorker::serve(const ReadingsRequest& request, const std::stop_token
   if (request.solver == nullptr || !prepare(request)) return;
   std::vector<std::string> names = listed(request);
   // The one in the view first.
-  std::ranges::stable_partition(names,
-                                [&](const std::string& name) { return name == request.shown; });
+  std::stable_partition(names.begin(), names.end(),
+                        [&](const std::string& name) { return name == request.shown; });
   for (const std::string& name : names) {
     const auto luminaires = luminairesOf(request, name);
     const auto known =

@@ -322,7 +322,7 @@ void ViewGrid::setSelection(const QStringList& names) {
 }
 
 Result<void> ViewGrid::setLook(const Look& look) {
-  const auto set = first().view().setLook(look);
+  auto set = first().view().setLook(look);
   if (!set) return set;
   look_ = look;
   for (std::size_t i = 1; i < shown_; ++i) (void)panes_[i]->view().setLook(look);

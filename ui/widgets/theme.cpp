@@ -112,7 +112,7 @@ bool systemIsDark() {
 void applyTheme(Theme theme) {
   const bool dark = theme == Theme::dark || (theme == Theme::system && systemIsDark());
   const Tones tones = tonesOf(dark);
-  QApplication::setStyle(new ThemeStyle);
+  QApplication::setStyle(new ThemeStyle);  // which owns it
   QApplication::setPalette(paletteOf(tones));
   qApp->setStyleSheet(sheetOf(tones));
 }
