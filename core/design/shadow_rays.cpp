@@ -29,7 +29,7 @@ LightPoints pointsOn(const light::Emitter& emitter, int rays) {
   out.count = emitter.kind == light::EmitterKind::point ? 1 : static_cast<std::size_t>(rays);
   for (std::uint32_t turn = 0; turn < kTurns; ++turn) {
     Rng rng(turn);
-    const dvec2 shift(rng.uniformDouble(), rng.uniformDouble());
+    const dvec2 shift{rng.uniformDouble(), rng.uniformDouble()};
     for (std::uint32_t i = 0; i < out.count; ++i) {
       dvec2 u = r2Sequence(i) + shift;
       u -= glm::floor(u);

@@ -174,7 +174,7 @@ class Thrower {
 
   void aimOne(const SurfaceSample& at, std::uint32_t slot, float area, Batch& b) const {
     const LampChoice::Pick pick = lamps_.pick(slot, b.rng.uniformDouble());
-    const vec2 u(b.rng.uniform(), b.rng.uniform());
+    const vec2 u{b.rng.uniform(), b.rng.uniform()};
     if (!(pick.probability > 0.0)) return;
     geometry::Ray ray{geometry::offsetOrigin(at.point.position, at.point.normal), 0.0F, {}};
     vec3 lux(0.0F);  // on a plane that faces the source
