@@ -81,12 +81,12 @@ Result<void> runBench(BenchArguments arguments, Session& session) {
   arguments.sweep.version = programVersion();
   ProgressBar progress;
   BenchSweep sweep(arguments.sweep, session.job(progress));
-  if (const auto added = addProjects(arguments, sweep, session, progress); !added) return added;
+  if (auto added = addProjects(arguments, sweep, session, progress); !added) return added;
   std::error_code trouble;
   fs::create_directories(folder, trouble);
-  if (const auto ok = checkResultFile(sweep.tableFile().string()); !ok) return ok;
-  if (const auto resumed = sweep.resume(); !resumed) return resumed;
-  if (const auto done = sweep.run(); !done) return done;
+  if (auto ok = checkResultFile(sweep.tableFile().string()); !ok) return ok;
+  if (auto resumed = sweep.resume(); !resumed) return resumed;
+  if (auto done = sweep.run(); !done) return done;
   progress.clear();
   const std::vector<design::BenchRow> rows = sweep.rows();
   const auto plots = writePlots(folder, rows);

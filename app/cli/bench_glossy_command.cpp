@@ -134,7 +134,7 @@ Result<void> runBenchGlossy(BenchGlossyArguments arguments, Session& session) {
   if (!output.empty()) {
     std::error_code trouble;
     fs::create_directories(output, trouble);
-    if (const auto ok = checkResultFile(file("glossy.csv")); !ok) return ok;
+    if (auto ok = checkResultFile(file("glossy.csv")); !ok) return ok;
   }
   arguments.methods.seed = arguments.common.seed;
   ProgressBar progress;
@@ -156,7 +156,7 @@ Result<void> runBenchGlossy(BenchGlossyArguments arguments, Session& session) {
       const auto ok =
           writeResult(file("glossy_pictures.csv"), design::formatGlossyPictureRows(pictures.rows));
       if (!ok) return ok;
-      if (const auto done = writeResult(file("glossy_pixels.csv"), pictures.pixels); !done) {
+      if (auto done = writeResult(file("glossy_pixels.csv"), pictures.pixels); !done) {
         return done;
       }
     }

@@ -69,7 +69,7 @@ Result<void> runBenchGrowth(const BenchGrowthArguments& arguments, Session& sess
   if (!file.empty()) {
     std::error_code trouble;
     fs::create_directories(common.output, trouble);
-    if (const auto ok = checkResultFile(file.string()); !ok) return ok;
+    if (auto ok = checkResultFile(file.string()); !ok) return ok;
   }
   if (common.threads > 0) setThreadCount(common.threads);
   ProgressBar progress;
@@ -79,7 +79,7 @@ Result<void> runBenchGrowth(const BenchGrowthArguments& arguments, Session& sess
   if (!rows) return rows.error();
   progress.clear();
   if (!file.empty()) {
-    const auto written = writeResult(file.string(), design::formatGrowthRows(*rows));
+    auto written = writeResult(file.string(), design::formatGrowthRows(*rows));
     if (!written) return written;
   }
   return writeResult("", common.json ? io::formatJsonLine(jsonOf(*rows)) + "\n" : tableOf(*rows));

@@ -60,7 +60,7 @@ Result<void> runBenchPrt(const BenchPrtArguments& arguments, Session& session) {
   if (!file.empty()) {
     std::error_code trouble;
     fs::create_directories(common.output, trouble);
-    if (const auto ok = checkResultFile(file.string()); !ok) return ok;
+    if (auto ok = checkResultFile(file.string()); !ok) return ok;
   }
   if (common.threads > 0) setThreadCount(common.threads);
   ProgressBar progress;
@@ -70,7 +70,7 @@ Result<void> runBenchPrt(const BenchPrtArguments& arguments, Session& session) {
   if (!rows) return rows.error();
   progress.clear();
   if (!file.empty()) {
-    const auto written = writeResult(file.string(), design::formatPrtBenchRows(*rows));
+    auto written = writeResult(file.string(), design::formatPrtBenchRows(*rows));
     if (!written) return written;
   }
   return writeResult("", common.json ? io::formatJsonLine(jsonOf(*rows)) + "\n" : tableOf(*rows));

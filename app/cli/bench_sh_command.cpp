@@ -45,14 +45,14 @@ Result<void> runBenchSh(const CommonOptions& common, Session& session) {
   if (!file.empty()) {
     std::error_code trouble;
     fs::create_directories(common.output, trouble);
-    if (const auto ok = checkResultFile(file.string()); !ok) return ok;
+    if (auto ok = checkResultFile(file.string()); !ok) return ok;
   }
   ProgressBar progress;
   const auto rows = design::measureSh({.seed = common.seed}, session.job(progress));
   if (!rows) return rows.error();
   progress.clear();
   if (!file.empty()) {
-    const auto written = writeResult(file.string(), design::formatShBenchRows(*rows));
+    auto written = writeResult(file.string(), design::formatShBenchRows(*rows));
     if (!written) return written;
   }
   return writeResult("", common.json ? io::formatJsonLine(jsonOf(*rows)) + "\n" : tableOf(*rows));

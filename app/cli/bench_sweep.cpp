@@ -137,7 +137,7 @@ Result<void> BenchSweep::runStep(Entry& entry, const design::BenchStep& step,
   if (!engine) return engine.error();
   const std::size_t bake_peak = peakMemory();
   const double baked = secondsSoFar();
-  if (const auto provided = provideReference(entry, *engine); !provided) return provided;
+  if (auto provided = provideReference(entry, *engine); !provided) return provided;
   for (const design::BenchPoint& point : points) {
     job_.report(fmt::format("{}: {} {}", entry.name, point.methodName(), point.settingsName()),
                 std::min(1.0, secondsSoFar() / options_.budget_s));
@@ -149,7 +149,7 @@ Result<void> BenchSweep::runStep(Entry& entry, const design::BenchStep& step,
     row->version = options_.version;
     row->peak_bytes = bake_peak;
     rows_.push_back(std::move(*row));
-    const auto written = io::writeFileAtomically(tableFile(), design::formatBenchRows(rows_));
+    auto written = io::writeFileAtomically(tableFile(), design::formatBenchRows(rows_));
     if (!written) return written;
     if (entry.unit_seconds <= 0.0)
       entry.unit_seconds = (baked - begin) / relativeCost(step.quality);

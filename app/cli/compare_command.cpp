@@ -115,7 +115,7 @@ Result<void> runCompare(CompareArguments arguments, Session& session) {
   const auto start = std::chrono::steady_clock::now();
   const std::string& folder = arguments.common.output;
   if (!folder.empty()) {
-    if (const auto made = makeFolder(folder); !made) return made;
+    if (auto made = makeFolder(folder); !made) return made;
   }
   const auto size = parseSize(arguments.size);
   if (!size) return size.error();
@@ -138,7 +138,7 @@ Result<void> runCompare(CompareArguments arguments, Session& session) {
   const bool pictures = !folder.empty() && !arguments.no_pictures;
   LayoutPictures album(folder, arguments.pictures);
   if (pictures) {
-    if (const auto known = album.prepare(first.scene); !known) return known;
+    if (auto known = album.prepare(first.scene); !known) return known;
   }
   const auto visit = [&](std::size_t i,
                          const std::shared_ptr<const relight::Lighting>& lighting) -> Result<void> {
@@ -153,7 +153,7 @@ Result<void> runCompare(CompareArguments arguments, Session& session) {
   std::vector<std::string> files = album.files();
   if (!folder.empty()) {
     files.push_back((fs::path(folder) / "compare.csv").string());
-    const auto written = writeResult(files.back(), design::compareCsv(*figures));
+    auto written = writeResult(files.back(), design::compareCsv(*figures));
     if (!written) return written;
   }
   progress.clear();

@@ -73,7 +73,7 @@ Result<void> LayoutPictures::take(const io::Project& variant, const std::string&
     if (!picture_.adapted_to) picture_.adapted_to = color::pictureLuminance(film->radiance);
     // One scale for all layouts in false colour, too.
     if (!picture_.range) picture_.range = render::fittingRange(*film);
-    const auto written = write(variant, layout, c, *film);
+    auto written = write(variant, layout, c, *film);
     if (!written) return written;
     if (first_.size() < cameras_.size()) {
       first_layout_ = layout;

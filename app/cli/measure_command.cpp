@@ -89,7 +89,7 @@ std::string summary(const scene::Scene& scene, const std::vector<Row>& rows) {
 Result<void> runMeasure(const MeasureArguments& arguments, Session& session) {
   const auto start = std::chrono::steady_clock::now();
   const CommonOptions& common = arguments.common;
-  if (const auto writable = checkResultFile(common.output); !writable) return writable;
+  if (auto writable = checkResultFile(common.output); !writable) return writable;
   const auto quantity = parseQuantity(arguments.quantity);
   if (!quantity) return quantity.error();
   ProgressBar progress;
@@ -113,7 +113,7 @@ Result<void> runMeasure(const MeasureArguments& arguments, Session& session) {
   if (common.json) {
     // With -o the rows go to the file as CSV and the object to stdout.
     if (!common.output.empty()) {
-      if (const auto written = writeResult(common.output, toCsv(rows)); !written) return written;
+      if (auto written = writeResult(common.output, toCsv(rows)); !written) return written;
     }
     return writeResult("", io::formatJsonLine(toJson(rows, seconds)) + "\n");
   }

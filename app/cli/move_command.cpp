@@ -73,7 +73,7 @@ Result<std::size_t> findLuminaire(const scene::Scene& scene, const std::string& 
 
 Result<void> runMove(const MoveArguments& arguments, Session& session) {
   const CommonOptions& common = arguments.common;
-  if (const auto writable = checkResultFile(common.output); !writable) return writable;
+  if (auto writable = checkResultFile(common.output); !writable) return writable;
   const auto path = io::readPath(arguments.path);
   if (!path) return path.error();
   std::vector<scene::Sensor> sensors;
@@ -125,7 +125,7 @@ Result<void> runMove(const MoveArguments& arguments, Session& session) {
   }
   progress.clear();
   if (!common.output.empty()) {
-    if (const auto written = writeResult(common.output, toCsv(steps)); !written) return written;
+    if (auto written = writeResult(common.output, toCsv(steps)); !written) return written;
   }
   std::vector<double> ms;
   for (const Step& s : steps) ms.push_back(s.times.total());
@@ -151,7 +151,7 @@ Result<void> runMove(const MoveArguments& arguments, Session& session) {
                                "\n");
   }
   if (common.output.empty()) {
-    if (const auto written = writeResult("", toCsv(steps)); !written) return written;
+    if (auto written = writeResult("", toCsv(steps)); !written) return written;
   }
   std::string text =
       fmt::format("{} receivers, {} positions: median {:.2f} ms, 99th percentile {:.2f} ms (",

@@ -84,8 +84,8 @@ bool followsReflections(const render::RenderOptions& options) {
 Result<void> runRender(const RenderArguments& arguments, Session& session,
                        const MakePictureLight& make) {
   const std::string& output = arguments.common.output;
-  if (const auto known = io::checkImagePath(output); !known) return known;
-  if (const auto writable = checkResultFile(output); !writable) return writable;
+  if (auto known = io::checkImagePath(output); !known) return known;
+  if (auto writable = checkResultFile(output); !writable) return writable;
   const auto size = parseSize(arguments.size);
   if (!size) return size.error();
   ProgressBar progress;

@@ -115,7 +115,7 @@ std::string toCsv(const std::vector<design::VerifiedPoint>& points) {
 
 Result<void> runVerify(VerifyArguments arguments, Session& session) {
   const auto start = std::chrono::steady_clock::now();
-  if (const auto ok = checkResultFile(arguments.common.output); !ok) return ok;
+  if (auto ok = checkResultFile(arguments.common.output); !ok) return ok;
   if (!arguments.path.empty()) {
     if (arguments.verify.luminaire.empty()) {
       return Error{"--path", "a path needs the luminaire that moves along it",
@@ -147,7 +147,7 @@ Result<void> runVerify(VerifyArguments arguments, Session& session) {
   }
   progress.clear();
   if (!arguments.common.output.empty()) {
-    const auto written = writeResult(arguments.common.output, toCsv(report->points));
+    auto written = writeResult(arguments.common.output, toCsv(report->points));
     if (!written) return written;
   }
   const double seconds =

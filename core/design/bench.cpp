@@ -38,6 +38,7 @@ dvec3 placeOf(const dvec3& home, std::size_t i, std::size_t count) {
 void addTimes(const std::vector<relight::StageTimes>& moves, BenchRow& row) {
   const auto quantile = [&](auto value, double q) {
     std::vector<double> all;
+    all.reserve(moves.size());
     for (const relight::StageTimes& t : moves) all.push_back(value(t));
     return photometry::percentile(all, q);
   };
@@ -68,7 +69,7 @@ class Measurement {
     std::vector<light::Luminaire> luminaires = scene_.luminaires;
     for (std::size_t i = 0; i < luminaires.size(); ++i) luminaires[i].on = i == light_;
     relight::Lighting alone(solver_);
-    const auto set_alone = alone.setLuminaires(luminaires, job);
+    auto set_alone = alone.setLuminaires(luminaires, job);
     if (!set_alone) return set_alone;
     row.total = figures(readSurfaces(all, bench_.receivers), bench_.total);
     row.alone = figures(readSurfaces(alone, bench_.receivers), bench_.alone);

@@ -42,7 +42,7 @@ std::optional<EmitterHit> hitPlane(const Emitter& emitter, const dvec3& on, cons
 
 std::optional<EmitterHit> hitPlanar(const Emitter& e, const dvec3& probe, const dvec3& direction) {
   const dvec3& on = e.disk ? e.position : e.outline[0];
-  const auto hit = hitPlane(e, on, e.normal, probe, direction);
+  auto hit = hitPlane(e, on, e.normal, probe, direction);
   if (!hit) return hit;
   const dvec3 point = probe + hit->t * direction;
   const bool inside = e.disk ? glm::distance(point, e.position) <= e.radius

@@ -161,7 +161,7 @@ Result<void> checkImagePath(const fs::path& path) {
 
 Result<void> writeImage(const fs::path& path, const scene::Image& image,
                         const WriteOptions& options) {
-  const auto known = checkImagePath(path);
+  auto known = checkImagePath(path);
   if (!known) return known;
   const auto count = static_cast<std::size_t>(std::max(image.width, 0)) *
                      static_cast<std::size_t>(std::max(image.height, 0)) *
