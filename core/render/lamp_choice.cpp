@@ -2,6 +2,7 @@
 #include "core/render/lamp_choice.h"
 
 #include "core/base/parallel.h"
+#include "core/color/luminance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@ constexpr double kEven = 0.1;
 constexpr float kNeighbours = 0.4F;
 /// Sources below this share of a slot's light are left to those.
 constexpr float kLeastShare = 0.003F;
-const dvec3 kLuminance(0.2126390059, 0.7151686788, 0.0721923154);
 
 /// What a slot receives from one source is scale * lux[slot].
 struct Source {
@@ -36,13 +36,11 @@ std::vector<float> spotLight(const relight::Lighting& lighting) {
   const relight::Planes& sky = lighting.skyDirect();
   std::vector<float> lux(sky[0].size(), 0.0F);
   for (const relight::WeightedColumn& light : lighting.outdoorLights()) {
-    const auto scale = static_cast<float>(glm::dot(light.weight, kLuminance));
+    const auto scale = static_cast<float>(color::luminance(light.weight));
     for (std::size_t s = 0; s < lux.size(); ++s) lux[s] += scale * light.column->direct[s];
   }
   for (std::size_t s = 0; s < lux.size(); ++s) {
-    const float smooth = static_cast<float>(kLuminance.x) * sky[0][s] +
-                         static_cast<float>(kLuminance.y) * sky[1][s] +
-                         static_cast<float>(kLuminance.z) * sky[2][s];
+    const float smooth = color::luminance(vec3(sky[0][s], sky[1][s], sky[2][s]));
     lux[s] = std::max(lux[s] - smooth, 0.0F);
   }
   return lux;
@@ -56,20 +54,20 @@ std::vector<Source> sourcesOf(const relight::Lighting& lighting) {
     Source source;
     source.number = static_cast<std::uint32_t>(i);
     source.lux = &lighting.column(i).direct;
-    source.scale = static_cast<float>(glm::dot(lighting.weight(i), kLuminance));
+    source.scale = static_cast<float>(color::luminance(lighting.weight(i)));
     sources.push_back(std::move(source));
   }
   if (lighting.environment() == nullptr) return sources;
   const auto spots = lighting.environment()->spots();
   const std::vector<float> lux = spots.empty() ? std::vector<float>{} : spotLight(lighting);
   double all = 0.0;
-  for (const daylight::Spot& spot : spots) all += glm::dot(spot.normal_illuminance, kLuminance);
+  for (const daylight::Spot& spot : spots) all += color::luminance(spot.normal_illuminance);
   for (std::size_t k = 0; k < spots.size(); ++k) {
     Source source;
     source.number = static_cast<std::uint32_t>(emitters.size() + k);
     source.own = lux;
     if (all > 0.0) {
-      source.scale = static_cast<float>(glm::dot(spots[k].normal_illuminance, kLuminance) / all);
+      source.scale = static_cast<float>(color::luminance(spots[k].normal_illuminance) / all);
     }
     sources.push_back(std::move(source));
   }

@@ -49,7 +49,7 @@ double rms(const std::vector<vec3>& a, const std::vector<vec3>& b) {
   return std::sqrt(squares / n) / (sum / n);
 }
 
-TEST(EngineLight, BlurredPointsTakeTheirTexelsLightAndNoShadowRays) {
+TEST(EngineLight, BlurredPointsTakeTheirTexelsLight) {
   const LitRoom room(material(0.4, 0.0, 0.5), material(0.5, 0.0, 0.5), {spot()});
   const EngineLight engine(room.lighting);
   const Light exact(engine, floorPoints(0.0F));
