@@ -10,6 +10,7 @@
 #include "core/design/glossy_pictures.h"
 #include "core/io/project/json.h"
 #include "core/render/engine_light.h"
+#include "core/render/live_probes.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -115,10 +116,17 @@ Result<design::GlossyPictures> picturesOf(BenchGlossyArguments& arguments, Sessi
   const render::EngineLight light(lighting);
   const auto best = render::EngineLight::withThrownLight(lighting, **view, {}, job);
   if (!best) return best.error();
+  const auto probes = render::LiveProbes::make(**view, lighting->solver().operators().texels, job);
+  const auto live = probes == nullptr
+                        ? nullptr
+                        : probes->light(lighting->total(),
+                                        render::LampMaker().lampsOf(lighting->emitters(), *caster,
+                                                                    probes->places()),
+                                        lighting->environment());
   design::GlossyPictures all;
   for (const scene::Camera& camera : cameras) {
-    const auto found = design::measureGlossyPictures(**view, {light, **best}, *reference, camera,
-                                                     arguments.pictures, job);
+    const auto found = design::measureGlossyPictures(**view, {light, **best, live.get()},
+                                                     *reference, camera, arguments.pictures, job);
     if (!found) return found.error();
     all.rows.insert(all.rows.end(), found->rows.begin(), found->rows.end());
     all.pixels += found->pixels;

@@ -106,6 +106,18 @@ class Measurement {
             secondsSince(start) + highlight_seconds_};
   }
 
+  /// As the viewport shows them, luminaires included.
+  [[nodiscard]] MethodResult liveMaps(const render::LitProbes& probes) const {
+    const auto start = std::chrono::steady_clock::now();
+    const auto specular = forSamples([&](const SurfaceSample& s, const render::ViewMaterial& m) {
+      return probes.reflected({s.point.position, s.point.shading_normal, s.to_eye}, m.f0, m.alpha);
+    });
+    return {fmt::format("live maps, {} probes", probes.probes().size()),
+            luminanceOf(specular),
+            {},
+            secondsSince(start)};
+  }
+
   /// One receiver per pixel and material that reflects.
   [[nodiscard]] std::vector<MethodResult> harmonics() const {
     const auto start = std::chrono::steady_clock::now();
@@ -222,6 +234,7 @@ Result<GlossyPictures> measureGlossyPictures(const render::ViewScene& scene,
   methods.push_back(*rays);
   measurement.makeHighlights();
   methods.push_back(measurement.reflectionMaps());
+  if (lights.live != nullptr) methods.push_back(measurement.liveMaps(*lights.live));
   for (MethodResult& method : measurement.harmonics()) methods.push_back(std::move(method));
   const auto truth = reference::traceBeams(reference, beamsOf(*frame, pixels, scene.mesh().origin),
                                            {.paths = options.paths, .seed = options.seed}, job);

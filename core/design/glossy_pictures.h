@@ -6,6 +6,7 @@
 #include "core/math/box.h"
 #include "core/reference/reference_scene.h"
 #include "core/render/illumination.h"
+#include "core/render/lit_probes.h"
 #include "core/render/view_scene.h"
 #include "core/scene/scene.h"
 
@@ -44,8 +45,9 @@ struct GlossyPictureOptions {
 
 /// Where the diffuse light of a picture comes from.
 struct PictureLights {
-  const render::Illumination& quick;  ///< maps, harmonics
-  const render::Illumination& best;   ///< rays: what final pictures take
+  const render::Illumination& quick;        ///< maps, harmonics
+  const render::Illumination& best;         ///< rays: what final pictures take
+  const render::LitProbes* live = nullptr;  ///< the viewport's reflections; null: left out
 };
 
 /// What was found: figures, and what they were made of.

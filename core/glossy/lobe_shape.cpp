@@ -153,6 +153,11 @@ struct Table {
   }
 };
 
+const Table& table() {
+  static const Table made;
+  return made;
+}
+
 double mix(double a, double b, double t) {
   return a + t * (b - a);
 }
@@ -175,13 +180,12 @@ LobeShape integrateLobe(double cos_view, double alpha) {
 LobeShape lobeShape(double cos_view, double alpha) {
   const double cosine = std::clamp(cos_view, kLeastCosine, 1.0);
   if (alpha < kMirrorAlpha) return mirror(cosine);
-  static const Table table;
   const double limited = std::min(alpha, 1.0);
   const double x = std::sqrt((cosine - kLeastCosine) / (1.0 - kLeastCosine)) * (kNodes - 1);
   const double y = (std::sqrt(limited) - kLeastRoughness) / (1.0 - kLeastRoughness) * (kNodes - 1);
   const auto i = std::min(static_cast<std::size_t>(x), kNodes - 2);
   const auto j = std::min(static_cast<std::size_t>(y), kNodes - 2);
-  const LobeShape* at = table.nodes.data() + j * kNodes + i;
+  const LobeShape* at = table().nodes.data() + j * kNodes + i;
   const double s = x - static_cast<double>(i);
   LobeShape shape =
       mix(mix(at[0], at[1], s), mix(at[kNodes], at[kNodes + 1], s), y - static_cast<double>(j));
@@ -190,6 +194,10 @@ LobeShape lobeShape(double cos_view, double alpha) {
     lobe->alpha = std::min(1.0, lobe->alpha * limited);
   }
   return shape;
+}
+
+LobeTable lobeTable() {
+  return {kNodes, kLeastCosine, kLeastRoughness, table().nodes};
 }
 
 vec3 lobeAxis(const RoundLobe& lobe, const vec3& normal, const vec3& to_eye) {

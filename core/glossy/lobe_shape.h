@@ -4,6 +4,8 @@
 #include "core/math/vec.h"
 
 #include <array>
+#include <cstddef>
+#include <span>
 
 /// The GGX lobe as two round lobes of unit weight with factors, so that it can be applied to SH
 /// coefficients, cube maps and lookups.
@@ -47,6 +49,18 @@ LobeShape integrateLobe(double cos_view, double alpha);
 /// is a ring, it has nearly none). Mirrors are exact; cos_view and alpha are clamped to their
 /// ranges.
 LobeShape lobeShape(double cos_view, double alpha);
+
+/// The table behind lobeShape(), for a graphics card, which interpolates as lobeShape() does: node
+/// j * nodes + i holds cosine least_cosine + (1 - least_cosine) (i / (nodes - 1))^2 and alpha
+/// (least_roughness + (1 - least_roughness) j / (nodes - 1))^2; axis_sine over the mirror
+/// direction's sine, alpha over the true one.
+struct LobeTable {
+  std::size_t nodes = 0;
+  double least_cosine = 0.0;
+  double least_roughness = 0.0;
+  std::span<const LobeShape> shapes;
+};
+LobeTable lobeTable();
 
 /// The axis of the lobe for light that leaves toward `to_eye` over the unit normal.
 vec3 lobeAxis(const RoundLobe& lobe, const vec3& normal, const vec3& to_eye);

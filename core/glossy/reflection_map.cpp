@@ -10,9 +10,6 @@
 namespace soffit::glossy {
 namespace {
 
-constexpr double kSharpest = 1.0 / 64.0;
-constexpr int kStepsPerOctave = 2;
-
 std::size_t rimIndex(int side, int face, int row, int column) {
   const int wide = side + 2;
   return static_cast<std::size_t>((face * wide + row + 1) * wide + column + 1);
@@ -81,7 +78,8 @@ ReflectionLevels::ReflectionLevels(int side) : pyramid_(side) {
   assert(side >= 8);
   for (int step = 0;; ++step) {
     const double alpha =
-        std::min(1.0, kSharpest * std::exp2(static_cast<double>(step) / kStepsPerOctave));
+        std::min(1.0, static_cast<double>(ReflectionMap::kSharpest) *
+                          std::exp2(static_cast<double>(step) / ReflectionMap::kStepsPerOctave));
     // Texels of half the lobe's width: 2 / side across, the lobe about 2 alpha.
     int own = 8;
     while (own < side && 2.0 / own > alpha) own *= 2;
@@ -111,8 +109,8 @@ ReflectionMap::ReflectionMap(std::shared_ptr<const ReflectionLevels> levels,
 
 vec3 ReflectionMap::at(const vec3& direction, float alpha) const {
   // Levels 1, 2, .. lie at kSharpest 2^(k/2); level 0 is reached at half of the first.
-  const float step = 1.0F + static_cast<float>(kStepsPerOctave) *
-                                std::log2(std::max(alpha, 1.0e-4F) / static_cast<float>(kSharpest));
+  const float step =
+      1.0F + static_cast<float>(kStepsPerOctave) * std::log2(std::max(alpha, 1.0e-4F) / kSharpest);
   const float place = std::clamp(step, 0.0F, static_cast<float>(cubes_.size() - 1));
   const auto k = std::min(static_cast<std::size_t>(place), cubes_.size() - 2);
   const float s = place - static_cast<float>(k);

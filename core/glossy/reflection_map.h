@@ -22,6 +22,8 @@ class SmoothCube {
   [[nodiscard]] int side() const { return side_; }
   /// direction: any length above 0.
   [[nodiscard]] vec3 at(const vec3& direction) const;
+  /// [face][row][column], side + 2 rows and columns each: what is kept, with the rims.
+  [[nodiscard]] std::span<const vec3> rimmed() const { return texels_; }
 
  private:
   int side_ = 0;
@@ -53,6 +55,12 @@ class ReflectionMap {
   /// Mean of the radiance weighted by the round lobe of `alpha` about `direction` (any length).
   /// Between levels linear in log alpha; below 1/64 toward the unblurred map.
   [[nodiscard]] vec3 at(const vec3& direction, float alpha) const;
+  /// The unblurred map and the blurred ones, in ascending order.
+  [[nodiscard]] std::span<const SmoothCube> cubes() const { return cubes_; }
+
+  /// The first blurred map's alpha, and how many follow per doubling.
+  static constexpr float kSharpest = 1.0F / 64.0F;
+  static constexpr int kStepsPerOctave = 2;
 
  private:
   std::shared_ptr<const ReflectionLevels> levels_;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/glossy/parallax.h"
-#include "core/glossy/reflection_map.h"
-#include "core/math/box.h"
 #include "core/render/illumination.h"
+#include "core/render/lit_probes.h"
 #include "core/render/surface_sample.h"
 #include "core/render/view_scene.h"
 
@@ -35,23 +33,22 @@ class ProbeReflections {
   /// Places whose light a move asks for.
   [[nodiscard]] std::size_t placeCount() const;
 
-  /// What the specular lobe of a material (f0, alpha) reflects of surfaces toward the eye, cd/m2.
-  /// Up to three probes that see the point take part, by 1 / distance^2; the nearest one where none
-  /// does. 0 before light() and without probes.
+  /// What the specular lobe of a material (f0, alpha) reflects of surfaces toward the eye, cd/m2
+  /// (LitProbes::reflected()). 0 before light() and without probes.
   [[nodiscard]] vec3 reflected(const SurfaceSample& at, float f0, float alpha) const;
 
  private:
   struct Probe {
     vec3 position{0.0F};
-    std::optional<glossy::ProbeDepth> depth;
+    std::shared_ptr<const glossy::ProbeDepth> depth;
     std::vector<SurfacePoint> places;
     std::vector<vec3> albedo;
     std::vector<std::uint32_t> texel;  ///< of each place
-    std::optional<glossy::ReflectionMap> map;
   };
   Box room_;
   std::shared_ptr<const glossy::ReflectionLevels> levels_;
   std::vector<Probe> probes_;
+  std::optional<LitProbes> lit_;
 };
 
 /// Places for probes in a room: a grid of about `spacing` metres, at a third and at two thirds of

@@ -6,6 +6,7 @@
 #include "core/light/direct_stage.h"
 #include "core/light/emitter.h"
 #include "core/relight/lighting.h"
+#include "core/render/lit_probes.h"
 #include "core/scene/scene.h"
 
 #include <cstdint>
@@ -28,11 +29,14 @@ struct LightFrame {
   std::vector<std::vector<double>> shares;
   /// What shone in; null: nothing.
   std::shared_ptr<const daylight::Environment> outside;
-  bool complete = true;        ///< false: what shines in from outside is still to come
-  std::uint64_t revision = 0;  ///< of the request that it answers
-  relight::StageTimes times;   ///< of a move; zero otherwise
-  light::DirectCounts counts;  ///< of a move; zero otherwise
-  double milliseconds = 0.0;   ///< from taking up the request to the planes
+  /// What specular surfaces reflect of this light; null: nothing does, or it is still to come.
+  std::shared_ptr<const render::LitProbes> reflections;
+  double reflections_ms = 0.0;  ///< of the light's milliseconds
+  bool complete = true;         ///< false: what shines in from outside is still to come
+  std::uint64_t revision = 0;   ///< of the request that it answers
+  relight::StageTimes times;    ///< of a move; zero otherwise
+  light::DirectCounts counts;   ///< of a move; zero otherwise
+  double milliseconds = 0.0;    ///< from taking up the request to the planes
 };
 using LightFramePtr = std::shared_ptr<const LightFrame>;
 

@@ -58,6 +58,14 @@ void RelightWorker::cancelBake() {
   if (bake_ != nullptr) bake_->cancel();
 }
 
+void RelightWorker::setReflections(bool on) {
+  {
+    const std::scoped_lock lock(mutex_);
+    reflects_ = on;
+  }
+  wake_.notify_all();
+}
+
 LightFramePtr RelightWorker::takeFrame() {
   const std::scoped_lock lock(mutex_);
   return std::exchange(frame_, nullptr);
@@ -117,16 +125,19 @@ void RelightWorker::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     std::stop_token give_up;
     std::optional<LightRequest> other;
+    bool reflects = false;
     {
       std::unique_lock lock(mutex_);
       wake_.wait(lock, stop, [this] {
-        return newest_.has_value() || arrived_.has_value() || leave_out_ ||
+        return newest_.has_value() || arrived_.has_value() || leave_out_ || lacksReflections() ||
                (has_solver_ && other_.has_value());
       });
       if (stop.stop_requested()) return;
       if (std::exchange(leave_out_, false)) {
         columns_.setOutside(nullptr);
         Q_EMIT outsideLeftOut();
+      } else if (!newest_ && !arrived_ && lacksReflections()) {
+        reflects = true;
       } else if (!newest_ && !arrived_) {
         other = std::exchange(other_, std::nullopt);
       }
@@ -138,13 +149,24 @@ void RelightWorker::run(const std::stop_token& stop) {
       }
       current_ = std::stop_source();
       give_up = current_.get_token();
+      if (!reflects_) reflections_.clear();
     }
+    if (reflects) makeReflections(give_up);
     if (other) {
       serveOther(std::move(*other), give_up);
     } else if (last_) {
       serve(*last_, give_up);
     }
   }
+}
+
+bool RelightWorker::lacksReflections() const {
+  return reflects_ && has_solver_ && last_ && !columns_.solver()->operators().coarse &&
+         reflections_.lacks(*columns_.solver(), *last_->scene);
+}
+
+void RelightWorker::makeReflections(const std::stop_token& stop) {
+  reflections_.make(columns_.solver(), last_->scene, Job{nullptr, stop});
 }
 
 void RelightWorker::ensureBake(const LightRequest& request) {
@@ -210,7 +232,7 @@ void RelightWorker::serveWithoutOutside(const LightRequest& request, const std::
 }
 
 LightFrame RelightWorker::frameOf(const LightRequest& request, LightColumns::Answer answer,
-                                  Clock::time_point start) const {
+                                  Clock::time_point start) {
   LightFrame frame;
   frame.solver = columns_.solver();
   frame.outside = columns_.outside();
@@ -220,6 +242,7 @@ LightFrame RelightWorker::frameOf(const LightRequest& request, LightColumns::Ans
   frame.emitters = std::move(answer.emitters);
   for (const light::Luminaire& l : request.luminaires) frame.names.push_back(l.name);
   frame.revision = request.revision;
+  reflections_.addTo(frame);
   frame.milliseconds = millisecondsSince(start);
   return frame;
 }
@@ -235,10 +258,9 @@ LightFramePtr RelightWorker::lightOf(const LightRequest& request, const std::sto
     const std::scoped_lock lock(mutex_);
     finding_outside_ = tells;
   }
-  auto answer = columns_.light(request.layout, request.luminaires, request.in_hand,
-                               Job{tells ? &relay_ : nullptr, stop},
-                               passing ? LightColumns::Outside::as_it_was
-                                       : LightColumns::Outside::found);
+  auto answer = columns_.light(
+      request.layout, request.luminaires, request.in_hand, Job{tells ? &relay_ : nullptr, stop},
+      passing ? LightColumns::Outside::as_it_was : LightColumns::Outside::found);
   if (tells) {
     const std::scoped_lock lock(mutex_);
     finding_outside_ = false;

@@ -4,6 +4,7 @@
 #include "ui/document/scene_command.h"
 #include "ui/jobs/light_columns.h"
 #include "ui/jobs/light_frame.h"
+#include "ui/jobs/live_reflections.h"
 #include "ui/jobs/probe_shares.h"
 #include "ui/jobs/progress_relay.h"
 #include "ui/jobs/solver_bake.h"
@@ -54,6 +55,8 @@ class RelightWorker : public QObject {
   /// Gives up the precomputation; the coarse light stays, if there is any. What shines in from
   /// outside is left out, if that is what is being computed, until it is asked for another way.
   void cancelBake();
+  /// Whether frames show what specular surfaces reflect; from the next one on.
+  void setReflections(bool on);
   /// The newest finished light, once each; null when there is nothing new.
   LightFramePtr takeFrame();
 
@@ -75,7 +78,7 @@ class RelightWorker : public QObject {
   void serve(const LightRequest& request, const std::stop_token& stop);
   void serveOther(LightRequest request, const std::stop_token& stop);
   [[nodiscard]] LightFrame frameOf(const LightRequest& request, LightColumns::Answer answer,
-                                   Clock::time_point start) const;
+                                   Clock::time_point start);
   [[nodiscard]] LightFramePtr lightOf(const LightRequest& request, const std::stop_token& stop);
   void ensureBake(const LightRequest& request);
   void ensureMaterials(const LightRequest& request);
@@ -84,6 +87,9 @@ class RelightWorker : public QObject {
   void serveWithoutOutside(const LightRequest& request, const std::stop_token& stop);
   void onSolver(Result<SolverBake::Outcome> outcome);
   void publish(LightFramePtr frame);
+  /// Whether reflections are to be made ready when nothing else is to do.
+  [[nodiscard]] bool lacksReflections() const;
+  void makeReflections(const std::stop_token& stop);
 
   const bool use_cache_;
   ProgressRelay relay_;
@@ -98,10 +104,12 @@ class RelightWorker : public QObject {
   std::stop_source current_;                    // guarded by mutex_
   bool finding_outside_ = false;                // guarded by mutex_
   bool leave_out_ = false;                      // guarded by mutex_
+  bool reflects_ = false;                       // guarded by mutex_
 
   // Of the light thread alone.
   LightColumns columns_;
   ProbeShares shares_;
+  LiveReflections reflections_;
   std::vector<scene::Material> materials_;
   std::optional<LightRequest> last_;
   std::optional<scene::Environment> outside_;  ///< that columns_ has, as it was described

@@ -4,8 +4,12 @@
 #include "core/scene/equality.h"
 #include "ui/document/text.h"
 
+#include <QSettings>
+
 namespace soffit::ui {
 namespace {
+
+const QString kReflections = QStringLiteral("view/reflections");
 
 bool sameOutside(const scene::Scene& a, const scene::Scene& b) {
   return a.environment.has_value() == b.environment.has_value() &&
@@ -24,6 +28,17 @@ Relighting::Relighting(Document& document, bool use_cache, QObject* parent)
     frame_ = std::move(frame);
     Q_EMIT frameChanged();
   });
+  worker_.setReflections(reflectionsWanted());
+  request();
+}
+
+bool Relighting::reflectionsWanted() {
+  return QSettings().value(kReflections, true).toBool();
+}
+
+void Relighting::setReflections(bool wanted) {
+  QSettings().setValue(kReflections, wanted);
+  worker_.setReflections(wanted);
   request();
 }
 

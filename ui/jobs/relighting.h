@@ -21,6 +21,9 @@ class Relighting : public QObject {
   /// Whether the newest frame is the light of what the document shows now.
   [[nodiscard]] bool isCurrent() const;
   [[nodiscard]] quint64 revision() const { return revision_; }
+  /// The user's setting: whether light comes with what specular surfaces reflect of it.
+  [[nodiscard]] static bool reflectionsWanted();
+  void setReflections(bool wanted);
 
  Q_SIGNALS:
   void frameChanged();

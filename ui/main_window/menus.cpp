@@ -57,6 +57,18 @@ void MainWindow::makeViewMenu() {
       this, [this](bool on) { workspace_.view->setValues(on); });
   forProject(values);
   connect(workspace_.view, &ViewPanel::valuesChanged, values, &QAction::setChecked);
+  QAction* reflections = addToggle(
+      menu,
+      {tr("Reflections"),
+       {},
+       tr("What shiny surfaces reflect, following every move; without them the view is a little "
+          "quicker"),
+       "Reflections"},
+      this, [this](bool on) {
+        if (session() != nullptr) session()->relighting().setReflections(on);
+      });
+  reflections->setChecked(Relighting::reflectionsWanted());
+  forProject(reflections);
   QAction* traced =
       addToggle(menu,
                 {tr("Ray traced at rest"), QKeySequence(Qt::Key_T),

@@ -91,6 +91,8 @@ QualityPanel::QualityPanel(QWidget* parent)
   row(transport_, tr("State"), {});
   row(transport_, tr("Light from outside"),
       tr("Found exactly at rest; mixed from smooth skies while a slider is held"));
+  row(transport_, tr("Reflections"),
+      tr("Pictures of the lit room from these places, made anew with every light"));
   needed_ = section(tr("Computed"));
   skipped_ = section(tr("Not needed here"));
   auto* advanced = new QToolButton;
@@ -211,6 +213,11 @@ void QualityPanel::showFrame(const LightFrame& frame) {
   transport_->child(4)->setText(1, !frame.complete            ? tr("being computed")
                                    : frame.outside == nullptr ? tr("none")
                                                               : tr("complete"));
+  transport_->child(5)->setText(1, frame.reflections == nullptr
+                                       ? tr("none")
+                                       : tr("%1 places, %2 ms")
+                                             .arg(frame.reflections->probes().size())
+                                             .arg(locale.toString(frame.reflections_ms, 'f', 1)));
 }
 
 }  // namespace soffit::ui

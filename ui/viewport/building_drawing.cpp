@@ -11,6 +11,7 @@ namespace soffit::ui {
 namespace {
 
 constexpr const char* kMeshVertex = R"(#version 150
+invariant gl_Position;  // reflections are added where this depth is met again
 in vec3 position;
 in vec3 albedo;
 in vec4 lux;  // RGB, and what is added to the illuminance
@@ -98,6 +99,7 @@ void fill(GlBuffer& buffer, GlBuffer::Kind kind, const std::vector<T>& values, b
 
 void BuildingDrawing::setMesh(std::shared_ptr<const DisplayMesh> mesh) {
   mesh_ = std::move(mesh);
+  reflections_.setMesh(mesh_);
   light_.reset();
   shift_.clear();
   mesh_dirty_ = true;
@@ -260,6 +262,7 @@ void BuildingDrawing::draw(const vec2& shift, const vec3& background) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     drawMesh(clip_from_scene, mesh_program_);
   }
+  reflections_.draw(clip_from_scene, eye_);
   drawLuminaires(clip_from_scene);
   if (eye_.w != 0.0F) outside_.drawOutside(clip_from_scene, kBeyond);
   outside_.drawPanes(clip_from_scene, eye_);
@@ -274,6 +277,7 @@ void BuildingDrawing::release() {
   for (GlTexture& map : maps_) map.release();
   seen_.release();
   outside_.release();
+  reflections_.release();
   mesh_program_.release();
   number_program_.release();
   luminaire_program_.release();

@@ -5,6 +5,7 @@
 #include "ui/viewport/gl_objects.h"
 #include "ui/viewport/luminaire_mesh.h"
 #include "ui/viewport/outside_drawing.h"
+#include "ui/viewport/reflection_drawing.h"
 #include "ui/viewport/seen_surfaces.h"
 
 #include <memory>
@@ -34,6 +35,9 @@ class BuildingDrawing {
   /// What lies beyond the scene, and its glass. Flat views show no surroundings.
   [[nodiscard]] OutsideDrawing& outside() { return outside_; }
 
+  /// What is reflected; goes with the mesh.
+  [[nodiscard]] ReflectionDrawing& reflections() { return reflections_; }
+
   /// The camera of the next draws, and where its eye is (scene-local, visibleIndices()). What
   /// cannot be seen from there is not drawn. cuts: the near plane cuts the building, not the
   /// luminaires.
@@ -58,6 +62,7 @@ class BuildingDrawing {
   std::vector<float> shift_;
   LuminaireMesh luminaires_;
   OutsideDrawing outside_;
+  ReflectionDrawing reflections_;
   glm::mat4 clip_from_scene_{1.0F};
   glm::vec4 eye_{0.0F};
   bool cuts_ = false;

@@ -19,6 +19,16 @@ vec3 albedoOf(const scene::Material& material) {
   return material.glass ? vec3(0.0F) : vec3(material.diffuse);
 }
 
+vec2 glossOf(const scene::Material& material) {
+  if (material.glass) return vec2(0.0F);
+  return {material.specular, material.roughness * material.roughness};
+}
+
+bool anyGloss(std::span<const scene::Material> materials) {
+  return std::ranges::any_of(materials,
+                             [](const scene::Material& m) { return glossOf(m).x > 0.0F; });
+}
+
 /// Corners of curved charts share their light when their charts look within 60 degrees of each
 /// other: a cylinder is smooth, a box is not.
 constexpr float kSmoothCosine = 0.5F;
@@ -42,6 +52,7 @@ class Builder {
     has_maps_ = !mesh_.uvs.empty() && std::ranges::any_of(materials_, [](const scene::Material& m) {
       return m.diffuse_image != nullptr;
     });
+    has_gloss_ = anyGloss(materials_);
     collectCorners();
     for (std::uint32_t c = 0; c < texels_.charts.charts.size(); ++c) {
       const transfer::Chart& chart = texels_.charts.charts[c];
@@ -67,13 +78,24 @@ class Builder {
     return mesh_.material_of.empty() ? 0 : mesh_.material_of[triangle];
   }
 
-  std::uint32_t addVertex(const vec3& position, const vec2& uv, std::uint32_t material,
-                          const Row& row) {
+  /// The normal at a place of a chart's side: `mixed` of the mesh's, where it has any.
+  [[nodiscard]] static vec3 sideNormal(const transfer::Chart& chart, bool front,
+                                       const vec3& mixed) {
+    const vec3 n = glm::dot(mixed, mixed) > 0.0F ? glm::normalize(mixed) : chart.normal;
+    return (glm::dot(n, chart.normal) < 0.0F) == front ? -n : n;
+  }
+
+  std::uint32_t addVertex(const vec3& position, const vec3& normal, const vec2& uv,
+                          std::uint32_t material, const Row& row) {
     const auto index = static_cast<std::uint32_t>(out_.positions.size());
     out_.positions.push_back(position);
     out_.albedo.push_back(albedoOf(materials_[material]));
     out_.material_of.push_back(material);
     if (has_maps_) out_.uvs.push_back(uv);
+    if (has_gloss_) {
+      out_.normals.push_back(normal);
+      out_.gloss.push_back(glossOf(materials_[material]));
+    }
     for (std::size_t k = 0; k < static_cast<std::size_t>(row.count); ++k) {
       out_.slots.push_back(row.slots[k]);
       out_.weights.push_back(row.weights[k]);
@@ -139,8 +161,11 @@ class Builder {
     const CutChart::Vertex& vertex = p.cut.vertices[v];
     Row row;
     row.count = texels_.around(vertex.triangle, p.front, light_from, row.slots, row.weights);
-    return addVertex(p.positions[v], has_maps_ ? mixed(vertex, mesh_.uvs) : vec2(0.0F),
-                     texels_.charts.charts[p.chart].material, row);
+    const transfer::Chart& chart = texels_.charts.charts[p.chart];
+    const bool bent = has_gloss_ && !mesh_.normals.empty();
+    return addVertex(p.positions[v],
+                     sideNormal(chart, p.front, bent ? mixed(vertex, mesh_.normals) : chart.normal),
+                     has_maps_ ? mixed(vertex, mesh_.uvs) : vec2(0.0F), chart.material, row);
   }
 
   template <class T>
@@ -248,8 +273,10 @@ class Builder {
       for (int i = 0; i < 3; ++i) {
         const auto [found, added] = index.try_emplace(t[i], 0U);
         if (added) {
-          found->second = addVertex(mesh_.positions[t[i]], has_maps_ ? mesh_.uvs[t[i]] : vec2(0.0F),
-                                    chart.material, curvedRow(c, front, t[i]));
+          const vec3 normal = mesh_.normals.empty() ? chart.normal : mesh_.normals[t[i]];
+          found->second = addVertex(mesh_.positions[t[i]], sideNormal(chart, front, normal),
+                                    has_maps_ ? mesh_.uvs[t[i]] : vec2(0.0F), chart.material,
+                                    curvedRow(c, front, t[i]));
         }
         corners[i] = found->second;
       }
@@ -280,6 +307,7 @@ class Builder {
   const transfer::Texels& texels_;
   std::span<const scene::Material> materials_;
   bool has_maps_ = false;
+  bool has_gloss_ = false;
   std::map<Place, std::vector<Corner>> corners_;
   std::map<std::shared_ptr<const scene::Image>, Run> by_map_;
   DisplayMesh out_;
@@ -301,7 +329,15 @@ DisplayMesh repainted(const DisplayMesh& mesh, std::span<const scene::Material> 
   for (std::size_t v = 0; v < painted.albedo.size(); ++v) {
     painted.albedo[v] = albedoOf(materials[mesh.material_of[v]]);
   }
+  if (!anyGloss(materials)) painted.gloss.clear();
+  for (std::size_t v = 0; v < painted.gloss.size(); ++v) {
+    painted.gloss[v] = glossOf(materials[mesh.material_of[v]]);
+  }
   return painted;
+}
+
+bool lacksNormals(const DisplayMesh& mesh, std::span<const scene::Material> materials) {
+  return mesh.gloss.empty() && anyGloss(materials);
 }
 
 void lightVertices(const DisplayMesh& mesh, const relight::Planes& lux, std::span<vec3> out) {

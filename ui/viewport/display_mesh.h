@@ -41,7 +41,11 @@ struct DisplayMesh {
   std::vector<vec3> positions;             ///< scene-local
   std::vector<vec3> albedo;                ///< per vertex, map not applied
   std::vector<std::uint32_t> material_of;  ///< per vertex
-  std::vector<vec2> uvs;                   ///< per vertex; empty when no part has a map
+  /// Per vertex where any material has a lobe, else empty: unit shading normals on the side that is
+  /// drawn, and f0 and alpha of the lobe.
+  std::vector<vec3> normals;
+  std::vector<vec2> gloss;
+  std::vector<vec2> uvs;  ///< per vertex; empty when no part has a map
   std::vector<std::uint32_t> indices;
   std::vector<Part> parts;
   std::vector<Patch> patches;  ///< all indices, in order; none reaches over a part's end
@@ -72,6 +76,9 @@ DisplayMesh makeDisplayMesh(const geometry::Mesh& mesh, const transfer::Texels& 
 
 /// The mesh with other reflectances of the same materials; maps stay.
 DisplayMesh repainted(const DisplayMesh& mesh, std::span<const scene::Material> materials);
+
+/// Whether materials have lobes that the mesh was not made for.
+bool lacksNormals(const DisplayMesh& mesh, std::span<const scene::Material> materials);
 
 /// RGB lux at each vertex. out.size() == vertexCount().
 void lightVertices(const DisplayMesh& mesh, const relight::Planes& lux, std::span<vec3> out);

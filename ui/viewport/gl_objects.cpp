@@ -46,7 +46,8 @@ void GlProgram::build(const std::string& vertex, const std::string& fragment) {
   log_.clear();
   add(GL_VERTEX_SHADER, vertex);
   add(GL_FRAGMENT_SHADER, fragment);
-  const std::array<const char*, 6> inputs{"position", "albedo", "lux", "uv", "normal", "slab"};
+  const std::array<const char*, 7> inputs{"position", "albedo", "lux",  "uv",
+                                          "normal",   "slab",   "gloss"};
   for (GLuint i = 0; i < inputs.size(); ++i) glBindAttribLocation(id_, i, inputs[i]);
   glBindFragDataLocation(id_, 0, "color");
   glBindFragDataLocation(id_, 1, "more");
@@ -82,6 +83,9 @@ void GlProgram::set(const char* name, const vec2& value) const {
 }
 void GlProgram::set(const char* name, const vec3& value) const {
   glUniform3fv(uniform(name), 1, glm::value_ptr(value));
+}
+void GlProgram::set(const char* name, const glm::vec4& value) const {
+  glUniform4fv(uniform(name), 1, glm::value_ptr(value));
 }
 void GlProgram::set(const char* name, const glm::mat4& value) const {
   glUniformMatrix4fv(uniform(name), 1, GL_FALSE, glm::value_ptr(value));
@@ -131,6 +135,53 @@ void GlTexture::bind(int unit) const {
 }
 
 void GlTexture::release() {
+  if (id_ != 0) glDeleteTextures(1, &id_);
+  id_ = 0;
+}
+
+namespace {
+constexpr std::array<GLint, 4> kLayerInner{GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F};
+constexpr std::array<GLenum, 4> kLayerFormat{GL_RED, GL_RG, GL_RGB, GL_RGBA};
+}  // namespace
+
+void GlLayers::replace(Format format, int first, int layers, const float* values) {
+  glBindTexture(GL_TEXTURE_2D_ARRAY, id_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, first, width_, height_, layers,
+                  kLayerFormat.at(static_cast<std::size_t>(format)), GL_FLOAT, values);
+}
+
+void GlLayers::fill(Format format, int width, int height, int layers, bool interpolated,
+                    const float* values) {
+  const auto f = static_cast<std::size_t>(format);
+  const bool fits = id_ != 0 && width == width_ && height == height_ && layers == layers_;
+  if (!fits) release();
+  if (id_ == 0) glGenTextures(1, &id_);
+  glBindTexture(GL_TEXTURE_2D_ARRAY, id_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  if (fits) {
+    replace(format, 0, layers, values);
+    return;
+  }
+  width_ = width;
+  height_ = height;
+  layers_ = layers;
+  const GLint filter = interpolated ? GL_LINEAR : GL_NEAREST;
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, filter);
+  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, axis, GL_CLAMP_TO_EDGE);
+  }
+  glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, kLayerInner.at(f), width, height, layers, 0,
+               kLayerFormat.at(f), GL_FLOAT, values);
+}
+
+void GlLayers::bind(int unit) const {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glBindTexture(GL_TEXTURE_2D_ARRAY, id_);
+}
+
+void GlLayers::release() {
   if (id_ != 0) glDeleteTextures(1, &id_);
   id_ = 0;
 }

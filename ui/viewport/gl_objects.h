@@ -42,6 +42,7 @@ class GlProgram {
   void set(const char* name, float value) const;
   void set(const char* name, const vec2& value) const;
   void set(const char* name, const vec3& value) const;
+  void set(const char* name, const glm::vec4& value) const;
   void set(const char* name, const glm::mat4& value) const;
 
  private:
@@ -62,6 +63,27 @@ class GlTexture {
  private:
   unsigned id_ = 0;
   unsigned target_ = 0;
+};
+
+/// Pictures of one size, one behind the other, floats.
+class GlLayers {
+ public:
+  enum class Format { one, two, three, four };
+  /// values: width x height x layers x channels. interpolated: between texels of a layer. Keeps its
+  /// storage while size and format stay.
+  void fill(Format format, int width, int height, int layers, bool interpolated,
+            const float* values);
+  /// Some layers anew, from `first` on.
+  void replace(Format format, int first, int layers, const float* values);
+  [[nodiscard]] int layers() const { return id_ == 0 ? 0 : layers_; }
+  void bind(int unit) const;
+  void release();
+
+ private:
+  unsigned id_ = 0;
+  int width_ = 0;
+  int height_ = 0;
+  int layers_ = 0;
 };
 
 /// A picture to draw into.

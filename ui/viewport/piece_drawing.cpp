@@ -94,6 +94,7 @@ void PieceDrawing::take(const Still& still) {
     auto lux = std::make_shared<std::vector<vec3>>(still.mesh->vertexCount());
     lightVertices(*still.mesh, still.frame->lux, *lux);
     building_.setLight(std::move(lux));
+    building_.reflections().setLight(still.frame->reflections);
   }
   if (mesh_ != still.mesh) {
     building_.outside().setPanes(paneCorners(*still.scene->mesh, still.scene->materials));

@@ -106,7 +106,8 @@ void SceneView::setFrame(LightFramePtr frame) {
   if (frame_ == nullptr) return;
   if (mesh_solver_ == frame_->solver) {
     showLight();
-  } else if (mesh_ != nullptr && &mesh_solver_->operators() == &frame_->solver->operators()) {
+  } else if (mesh_ != nullptr && &mesh_solver_->operators() == &frame_->solver->operators() &&
+             !lacksNormals(*mesh_, scene_->materials)) {
     // The same texels with other reflectances: the cuts stay.
     mesh_ = std::make_shared<const DisplayMesh>(repainted(*mesh_, scene_->materials));
     mesh_solver_ = frame_->solver;
@@ -132,6 +133,7 @@ void SceneView::lightBuilding(const LightFrame& frame) {
   auto lux = std::make_shared<std::vector<vec3>>(mesh_->vertexCount());
   lightVertices(*mesh_, frame.lux, *lux);
   pass().building.setLight(std::move(lux));
+  pass().building.reflections().setLight(frame.reflections);
   smoothLines();
 }
 
@@ -152,6 +154,7 @@ void SceneView::setFrameOf(SceneView& other) {
   frame_ = other.frame_;
   pass().building.setLight(other.pass().building.light());
   pass().building.setShift(other.pass().building.shift());
+  pass().building.reflections().setLight(other.pass().building.reflections().light());
   lit_from_frame_ = true;
   light_pending_ = true;
   restart();

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <array>
 #include <cmath>
 
@@ -75,9 +77,43 @@ TEST(ProbeDepth, FindsAPartitionThatTheBoxDoesNotKnow) {
     by_depth +=
         static_cast<double>(glm::length(depth.throughDepth(probe, p, d, far).direction - exact));
   }
-  // Mean angle: a texel is 0.024 rad, and 3 % behind counts as on the surface.
-  EXPECT_LT(by_depth / kRays, 0.05);
-  EXPECT_LT(by_depth, 0.3 * by_box);
+  // Mean angle: planes are exact but for the room's edges, where a texel (0.024 rad) holds two,
+  // and 1 % behind counts as on the surface.
+  EXPECT_LT(by_depth / kRays, 0.01);
+  EXPECT_LT(by_depth, 0.1 * by_box);
+}
+
+TEST(ProbeDepth, PlanesAreExactAcrossFacesAndNothingIsInfinite) {
+  const vec3 probe(0.3F, -0.2F, 0.0F);
+  const vec3 normal = glm::normalize(vec3(0.3F, 0.5F, 1.0F));
+  constexpr float kAway = 1.7F;
+  constexpr int kSide = 16;
+  const auto along = [&](const dvec3& d) {
+    const double slope = glm::dot(d, dvec3(normal));
+    return slope > 0.0 ? static_cast<float>(static_cast<double>(kAway) / slope)
+                       : std::numeric_limits<float>::infinity();
+  };
+  std::vector<float> distances;
+  for (const dvec3& d : sh::cubeSamples(kSide).directions) distances.push_back(along(d));
+  const ProbeDepth depth(kSide, distances);
+  Rng rng(5);
+  double most = 0.0, sum = 0.0;
+  for (int k = 0; k < 2000; ++k) {
+    const dvec3 d = randomDirection(rng);
+    const double slope = glm::dot(d, dvec3(normal));
+    // Near the horizon a texel holds both.
+    if (slope > 0.3) {
+      const double off = std::abs(static_cast<double>(depth.toward(vec3(d)) / along(d)) - 1.0);
+      most = std::max(most, off);
+      sum += off;
+    }
+    if (slope < -0.3) {
+      EXPECT_TRUE(std::isinf(depth.toward(vec3(d))));
+    }
+  }
+  // Exact but for the corners of the rims.
+  EXPECT_LT(sum / 2000, 1e-4);
+  EXPECT_LT(most, 5e-3);
 }
 
 }  // namespace

@@ -13,21 +13,23 @@
 #include <QSurfaceFormat>
 #include <QTest>
 
+#include <functional>
 #include <memory>
 
 /// A lit view for tests of what the mouse does in it.
 namespace soffit::ui {
 
-/// The Cornell-like sample with few texels and its light.
+/// The Cornell-like sample with few texels and its light. change: of the scene, before it is lit.
 struct Lit {
   io::Project project;
   LightFramePtr frame;
 };
 
-inline Lit lightCornell() {
+inline Lit lightCornell(const std::function<void(scene::Scene&)>& change = {}) {
   auto project = io::loadProject(SOFFIT_SOURCE_DIR "/projects/cornell");
   project->scene.quality.settings = {{"texels", 1500},  {"trainings", 8}, {"field_rays", 8},
                                      {"list_rays", 16}, {"node_rays", 4}, {"max_rank", 8}};
+  if (change) change(project->scene);
   relight::EngineReport report;
   const auto quality = relight::qualitySettings(project->scene.quality);
   const auto solver = relight::makeSolver(project->scene, *quality, false, {}, report);
