@@ -113,7 +113,8 @@ float ProbeDepth::reach(const vec3& probe, const vec3& p, const vec3& d, float f
   float before = 0.0F;
   float step_start = behind(0.0F);
   for (int i = 1; i <= kSteps; ++i) {
-    const float t = far * static_cast<float>(i) / kSteps;
+    const float share = static_cast<float>(i) / kSteps;
+    const float t = far * share * std::sqrt(share);
     const float now = behind(t);
     // From free to behind within the step: a surface. Behind all along: hidden from the probe.
     if (now > 0.0F && step_start <= 0.0F) {

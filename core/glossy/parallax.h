@@ -43,8 +43,9 @@ class ProbeDepth {
   /// Distance along a direction (any length above 0), infinite where nothing is.
   [[nodiscard]] float toward(const vec3& direction) const;
 
-  /// Steps along a ray and bisections of the one in which it meets something.
-  static constexpr int kSteps = 24;
+  /// Steps along a ray, which grow as k^(3/2) since what is near is reflected more sharply, and
+  /// bisections of the one in which it meets something.
+  static constexpr int kSteps = 28;
   static constexpr int kBisections = 6;
   /// What is less behind, as a share of its distance, is on the surface: curves have facets.
   static constexpr float kOnSurface = 0.01F;

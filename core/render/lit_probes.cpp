@@ -46,6 +46,7 @@ vec3 LitProbes::surfaces(const ReflectingPoint& at, float f0, float alpha) const
     const vec3 d = p - probe.position;
     const float distance = glm::length(d);
     const float near = 1.0F / (distance * distance + kNear);
+    if (glm::dot(d, at.normal) >= 0.0F) continue;  // behind the surface
     if (near > nearest.first) nearest = {near, &probe};
     const float share = probe.depth->toward(d) / std::max(distance, 1.0e-6F);
     std::pair<float, const LitProbe*> candidate{
@@ -58,6 +59,7 @@ vec3 LitProbes::surfaces(const ReflectingPoint& at, float f0, float alpha) const
   chosen.back() = {};
   for (auto& [weight, probe] : chosen) weight = std::max(0.0F, weight - next);
   if (chosen.front().second == nullptr) chosen.front() = nearest;
+  if (chosen.front().second == nullptr) return vec3(0.0F);
   vec3 sum(0.0F);
   float weights = 0.0F;
   for (const auto& [weight, probe] : chosen) {

@@ -63,7 +63,8 @@ std::shared_ptr<const LiveProbes> LiveProbes::make(const ViewScene& scene,
     sharpest = std::min(sharpest, material.alpha);
     pieces.push_back({texels.receivers.position(s), texels.receivers.normal(s), texels.area[s]});
   }
-  const std::vector<vec3> places = probePlaces(scene.caster(), pieces, kMostProbes);
+  const std::vector<vec3> places = probePlaces(
+      scene.caster(), pieces, kMostProbes, scene.outside({0.0F, 0.0F, 1.0F}, false).has_value());
   if (places.empty() || job.cancelled()) return nullptr;
   auto made = std::shared_ptr<LiveProbes>(new LiveProbes());
   made->room_ = scene.mesh().bounds();

@@ -2,6 +2,7 @@
 #include "core/render/probe_places.h"
 
 #include "core/base/parallel.h"
+#include "core/sh/sphere_samples.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -34,13 +35,22 @@ std::vector<ReflectingPiece> drawn(std::span<const ReflectingPiece> pieces) {
   return out;
 }
 
+/// Whether anything stands on the side of the piece that reflects.
+bool seesAnything(const geometry::RayCaster& caster, const vec3& from, const vec3& normal) {
+  static const sh::SphereSamples around = sh::hammersleySamples(32);
+  return std::ranges::any_of(around.directions, [&](const dvec3& d) {
+    return glm::dot(vec3(d), normal) > 0.0F && caster.occluded({from, 0.0F, vec3(d)});
+  });
+}
+
 std::vector<vec3> candidatesOf(const geometry::RayCaster& caster,
-                               std::span<const ReflectingPiece> pieces) {
+                               std::span<const ReflectingPiece> pieces, bool sky) {
   std::vector<vec3> places;
   for (const ReflectingPiece& piece : pieces) {
     const vec3 from = geometry::offsetOrigin(piece.position, piece.normal);
     const geometry::Hit hit = caster.closest({from, 0.0F, piece.normal, 2.0F * kBefore});
     const float before = hit.valid() ? 0.5F * hit.t : kBefore;
+    if (!sky && !seesAnything(caster, from, piece.normal)) continue;
     if (before > kClearance) places.push_back(from + before * piece.normal);
   }
   return places;
@@ -56,9 +66,9 @@ bool sees(const geometry::RayCaster& caster, const vec3& place, const Reflecting
 }  // namespace
 
 std::vector<vec3> probePlaces(const geometry::RayCaster& caster,
-                              std::span<const ReflectingPiece> pieces, std::size_t most) {
+                              std::span<const ReflectingPiece> pieces, std::size_t most, bool sky) {
   const std::vector<ReflectingPiece> deciding = drawn(pieces);
-  const std::vector<vec3> candidates = candidatesOf(caster, deciding);
+  const std::vector<vec3> candidates = candidatesOf(caster, deciding, sky);
   const std::size_t n = deciding.size();
   std::vector<std::uint8_t> seen(candidates.size() * n);
   parallelFor(candidates.size(), 8, [&](std::size_t begin, std::size_t end) {

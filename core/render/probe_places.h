@@ -20,11 +20,12 @@ struct ReflectingPiece {
 /// Where probes stand: before surfaces that reflect, so that they see what is reflected there, and
 /// nowhere else. Candidates are 1.2 m before pieces (half way, where something is nearer than
 /// 2.4 m); one after another is taken that sees the most surface within 4 m that none does yet,
-/// until `most` are there or 1 % is left.
+/// until `most` are there or 1 % is left. Candidates from which nothing but the void is seen beside
+/// the piece's own plane are none, unless the void shines (`sky`).
 ///
 /// pieces: of all that reflects; some hundred of them, drawn evenly by area, decide. All in the
 /// caster's frame. Deterministic.
 std::vector<vec3> probePlaces(const geometry::RayCaster& caster,
-                              std::span<const ReflectingPiece> pieces, std::size_t most);
+                              std::span<const ReflectingPiece> pieces, std::size_t most, bool sky);
 
 }  // namespace soffit::render

@@ -3040,6 +3040,14 @@
         <source>Reflections and exact shadows, some seconds after nothing moves any more</source>
         <translation>Spiegelungen und genaue Schatten, einige Sekunden nachdem sich nichts mehr bewegt</translation>
     </message>
+    <message>
+        <source>Reflections</source>
+        <translation>Spiegelungen</translation>
+    </message>
+    <message>
+        <source>What shiny surfaces reflect, following every move; without them the view is a little quicker</source>
+        <translation>Was glänzende Flächen spiegeln, bei jeder Bewegung; ohne sie ist die Ansicht etwas schneller</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::MakingLuminous</name>
@@ -3690,6 +3698,18 @@
     <message>
         <source>Every single setting, and the methods of the founding papers</source>
         <translation>Jede einzelne Einstellung und die Verfahren der Grundlagenarbeiten</translation>
+    </message>
+    <message>
+        <source>Reflections</source>
+        <translation>Spiegelungen</translation>
+    </message>
+    <message>
+        <source>Pictures of the lit room from these places, made anew with every light</source>
+        <translation>Bilder des beleuchteten Raums von diesen Stellen, mit jedem Licht neu</translation>
+    </message>
+    <message>
+        <source>%1 places, %2 ms</source>
+        <translation>%1 Stellen, %2 ms</translation>
     </message>
 </context>
 <context>

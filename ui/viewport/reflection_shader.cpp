@@ -82,7 +82,8 @@ float reach(int i, vec3 p, vec3 d, float far) {
   float before = 0.0;
   float step_start = behind(i, p, d, 0.0);
   for (int k = 1; k <= STEPS; ++k) {
-    float t = far * float(k) / float(STEPS);
+    float share = float(k) / float(STEPS);
+    float t = far * share * sqrt(share);
     float now = behind(i, p, d, t);
     if (now > 0.0 && step_start <= 0.0) {
       float low = before, high = t;
@@ -209,6 +210,7 @@ void main() {
     vec3 d = p - probe[i];
     float away = length(d);
     float w = 1.0 / (away * away + NEAR);
+    if (dot(d, n) >= 0.0) continue;
     if (w > near_weight) {
       near_weight = w;
       nearest = i;
@@ -228,7 +230,7 @@ void main() {
     }
   }
   weight.xyz = max(vec3(0.0), weight.xyz - NEXT_SHARE * weight.w);
-  if (which.x < 0) {
+  if (which.x < 0 && near_weight > 0.0) {
     weight.x = near_weight;
     which.x = nearest;
   }
@@ -244,7 +246,7 @@ void main() {
     away = max(length(seen), 1.0e-6);
     sum += weight[k] * rise.x * blurred(i, seen, min(rise.z * t / away, 1.0));
   }
-  sum /= weight.x + weight.y + weight.z;
+  sum /= max(weight.x + weight.y + weight.z, 1.0e-30);
   for (int i = 0; i < lamp_count; ++i) sum += highlight(i, p, n, to_eye, f0, lobe.y);
   color = vec4(sum, 0.0);
 }

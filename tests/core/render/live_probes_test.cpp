@@ -223,13 +223,17 @@ TEST(ProbePlaces, EveryRoomWithAFloorThatReflectsHasOne) {
       if (x < 2.95F || x > 3.25F) pieces.push_back({{x, y, 0}, {0, 0, 1}, 0.04F});
     }
   }
-  const auto places = probePlaces(scene->caster(), pieces, 8);
+  const auto places = probePlaces(scene->caster(), pieces, 8, false);
   EXPECT_GE(std::ranges::count_if(places, [](const vec3& p) { return p.x < 3.0F; }), 1);
   EXPECT_GE(std::ranges::count_if(places, [](const vec3& p) { return p.x > 3.2F; }), 1);
   EXPECT_LE(places.size(), 4U);
   for (const vec3& p : places) EXPECT_NEAR(p.z, 1.2F, 0.06F);
-  EXPECT_EQ(probePlaces(scene->caster(), pieces, 1).size(), 1U);
-  EXPECT_TRUE(probePlaces(scene->caster(), {}, 8).empty());
+  EXPECT_EQ(probePlaces(scene->caster(), pieces, 1, false).size(), 1U);
+  EXPECT_TRUE(probePlaces(scene->caster(), {}, 8, false).empty());
+  // The undersides of the floors see the void alone.
+  for (ReflectingPiece& piece : pieces) piece.normal = {0, 0, -1};
+  EXPECT_TRUE(probePlaces(scene->caster(), pieces, 8, false).empty());
+  EXPECT_FALSE(probePlaces(scene->caster(), pieces, 8, true).empty());
 }
 
 }  // namespace
