@@ -90,7 +90,7 @@ Result<void> LayoutPictures::write(const io::Project& variant, const std::string
   const std::string project =
       variant.scene.name.empty() ? variant.path.stem().string() : variant.scene.name;
   const auto path = folder_ / (io::fileNameOf(layout) + suffix + ".png");
-  const auto written =
+  auto written =
       writePicture(path, film, picture_,
                    {.project = project, .layout = layout, .camera = cameras_[camera].name});
   if (!written) return written;
@@ -112,7 +112,7 @@ Result<void> LayoutPictures::write(const io::Project& variant, const std::string
                   {"Layout", title},
                   {"Camera", cameras_[camera].name},
                   {"Unit", fmt::format("lx, -{0:g} to +{0:g}", ranges_[camera])}};
-  const auto saved = io::writeImage(difference_path, *difference, how);
+  auto saved = io::writeImage(difference_path, *difference, how);
   if (saved) files_.push_back(difference_path.string());
   return saved;
 }

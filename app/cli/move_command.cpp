@@ -128,10 +128,12 @@ Result<void> runMove(const MoveArguments& arguments, Session& session) {
     if (auto written = writeResult(common.output, toCsv(steps)); !written) return written;
   }
   std::vector<double> ms;
+  ms.reserve(steps.size());
   for (const Step& s : steps) ms.push_back(s.times.total());
   std::vector<std::pair<std::string, double>> medians;
   for (const Stage& stage : kStages) {
     std::vector<double> values;
+    values.reserve(steps.size());
     for (const Step& s : steps) values.push_back(s.times.*stage.value);
     medians.emplace_back(stage.name, quantile(values, 0.5));
   }

@@ -35,7 +35,8 @@ double relativePlanck(double nm, double cct_k) {
 dvec3 integratedXyz(double cct_k) {
   dvec3 sum(0.0);
   // The integrand vanishes at both ends, so the midpoint sum converges fast.
-  for (double nm = 360.5; nm < 830.0; nm += 1.0) {
+  for (int i = 360; i < 830; ++i) {
+    const double nm = i + 0.5;
     sum += relativePlanck(nm, cct_k) * matchingFunctions(nm);
   }
   return sum / sum.y;

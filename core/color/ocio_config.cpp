@@ -74,6 +74,7 @@ Result<OcioConfig> loadConfig(const std::filesystem::path& path) {
 std::vector<std::string> displayNames(const OcioConfig& config) {
   const ocio::Config& c = configOf(config);
   std::vector<std::string> displays;
+  displays.reserve(static_cast<std::size_t>(c.getNumDisplays()));
   for (int i = 0; i < c.getNumDisplays(); ++i) displays.emplace_back(c.getDisplay(i));
   return displays;
 }
@@ -81,6 +82,7 @@ std::vector<std::string> displayNames(const OcioConfig& config) {
 std::vector<std::string> lookNames(const OcioConfig& config) {
   const ocio::Config& c = configOf(config);
   std::vector<std::string> looks;
+  looks.reserve(static_cast<std::size_t>(c.getNumLooks()));
   for (int i = 0; i < c.getNumLooks(); ++i) looks.emplace_back(c.getLookNameByIndex(i));
   return looks;
 }
@@ -90,6 +92,7 @@ Result<std::vector<std::string>> viewNames(const OcioConfig& config, const std::
   const std::vector<std::string> displays = displayNames(config);
   if (!contains(displays, display)) return unknown(config, "display", display, displays);
   std::vector<std::string> views;
+  views.reserve(static_cast<std::size_t>(c.getNumViews(display.c_str())));
   for (int i = 0; i < c.getNumViews(display.c_str()); ++i) {
     views.emplace_back(c.getView(display.c_str(), i));
   }

@@ -41,7 +41,7 @@ Column number(const char* name, Access access) {
 
 #define SOFFIT_FIELD(member)    \
   [](BenchRow & row) -> auto& { \
-    return row.member;          \
+    return (row.member);        \
   }
 
 const std::vector<Column>& columns() {

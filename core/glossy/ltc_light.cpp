@@ -32,6 +32,7 @@ std::vector<dvec3> disk(const dvec3& center, const dvec3& axis, double radius) {
   const double step = 2.0 * kPi / kCorners;
   const double reach = radius * std::sqrt(step / std::sin(step));
   std::vector<dvec3> corners;
+  corners.reserve(kCorners);
   for (int i = 0; i < kCorners; ++i) {
     corners.push_back(center + reach * (std::cos(step * i) * t + std::sin(step * i) * b));
   }

@@ -173,7 +173,7 @@ TextureBakeSize predictTextureBake(const TextureReceivers& receivers,
 }
 
 Result<TextureBake> rebakeTextures(const TextureBake& before,
-                                   std::shared_ptr<const Surfaces> surfaces,
+                                   const std::shared_ptr<const Surfaces>& surfaces,
                                    const TextureBakeOptions& options, const Job& job) {
   TextureReceivers made = receiversOf(surfaces, options.textures, options.one_atlas, job);
   const auto valid = findUncovered(*surfaces, made.receivers(), job);

@@ -67,7 +67,7 @@ Result<TextureBake> bakeTextures(std::shared_ptr<const Surfaces> surfaces,
 /// what changed, before or after; direct transfer is recomputed where a flag changed. Bounces are
 /// solved again, as light from anywhere may have changed. The result equals bakeTextures()'s.
 Result<TextureBake> rebakeTextures(const TextureBake& before,
-                                   std::shared_ptr<const Surfaces> surfaces,
+                                   const std::shared_ptr<const Surfaces>& surfaces,
                                    const TextureBakeOptions& options, const Job& job = {});
 
 }  // namespace soffit::prt

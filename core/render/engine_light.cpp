@@ -22,7 +22,7 @@ float widest(const transfer::Texels& texels,
 
 }  // namespace
 
-EngineLight::EngineLight(std::shared_ptr<const relight::Lighting> lighting)
+EngineLight::EngineLight(const std::shared_ptr<const relight::Lighting>& lighting)
     : EngineLight(lighting, lighting->indirectTotal()) {}
 
 Result<std::shared_ptr<const EngineLight>> EngineLight::withThrownLight(

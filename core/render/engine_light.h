@@ -18,7 +18,7 @@ namespace soffit::render {
 /// texels, too.
 class EngineLight : public Illumination {
  public:
-  explicit EngineLight(std::shared_ptr<const relight::Lighting> lighting);
+  explicit EngineLight(const std::shared_ptr<const relight::Lighting>& lighting);
 
   /// For final pictures: specular surfaces throw their light where their lobes send it
   /// (thrown_light.h) instead of reflecting that much more of it diffusely; what they throw is

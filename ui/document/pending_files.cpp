@@ -49,8 +49,9 @@ std::string PendingFiles::add(const std::string& wanted, std::string bytes,
   const std::string stem = name.stem().string();
   const std::string ending = name.extension().string();
   for (int number = 1;; ++number) {
-    const std::string candidate =
-        number == 1 ? name.string() : stem + '_' + std::to_string(number) + ending;
+    std::string candidate = stem;
+    if (number > 1) candidate.append("_").append(std::to_string(number));
+    candidate.append(ending);
     const auto pending = files_.find(candidate);
     if (pending != files_.end()) {
       if (pending->second == bytes) return candidate;

@@ -57,8 +57,9 @@ io::PhotometricFile syntheticWallWasher(const std::string& name, double lumens) 
   photometry::IntensityDistribution d;
   const double power = powerOf(0.5 * kWasherBeamDeg);
   const dvec3 toward(std::sin(radians(kWasherTiltDeg)), 0.0, -std::cos(radians(kWasherTiltDeg)));
-  for (double gamma = 0.0; gamma <= 90.0; gamma += kGammaStepDeg) d.gamma_deg.push_back(gamma);
-  for (double c = 0.0; c < 360.0; c += kPlaneStepDeg) {
+  for (int i = 0; kGammaStepDeg * i <= 90.0; ++i) d.gamma_deg.push_back(kGammaStepDeg * i);
+  for (int plane = 0; kPlaneStepDeg * plane < 360.0; ++plane) {
+    const double c = kPlaneStepDeg * plane;
     d.c_deg.push_back(c);
     for (const double gamma : d.gamma_deg) {
       const dvec3 w(std::sin(radians(gamma)) * std::cos(radians(c)),

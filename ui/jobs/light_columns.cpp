@@ -145,7 +145,7 @@ Result<void> LightColumns::take(Entry& entry, const std::vector<light::Luminaire
       return painted.error();
     }
   }
-  const auto set = entry.lighting->setLuminaires(luminaires, job);
+  auto set = entry.lighting->setLuminaires(luminaires, job);
   for (std::size_t i = 0; i < luminaires.size(); ++i) {
     const bool same = i < before.size() && sameButMix(before[i], luminaires[i]);
     entry.changed[i] = entry.changed[i] || !same;

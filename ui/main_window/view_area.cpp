@@ -48,7 +48,7 @@ void ViewArea::addOverlays() {
 }
 
 Result<void> ViewArea::setLook(const Look& look, const std::vector<double>& levels, bool values) {
-  const auto set = grid_->setLook(look);
+  auto set = grid_->setLook(look);
   plane_levels_ = levels;
   plane_values_ = values;
   showLegend();

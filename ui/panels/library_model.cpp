@@ -43,7 +43,8 @@ double intensity(const light::Emitter& emitter, const light::Luminaire& luminair
 
 PolarCurve curveOf(const light::Emitter& emitter, const light::Luminaire& luminaire, double c_deg) {
   PolarCurve curve;
-  for (double a = -180.0; a <= 180.0; a += kAngleStepDeg) {
+  for (int i = 0; kAngleStepDeg * i <= 360.0; ++i) {
+    const double a = kAngleStepDeg * i - 180.0;
     curve.points.push_back({a, intensity(emitter, luminaire, c_deg, a)});
   }
   return curve;

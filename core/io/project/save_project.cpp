@@ -197,7 +197,8 @@ void syncEnvironment(const scene::Scene& scene, Json& root) {
   for (const JsonMember& field : *fields.asObject()) {
     const Json* before = old.find(field.key);
     if (before != nullptr && *before == field.value) continue;
-    if (field.value.asObject() != nullptr && target.find(field.key) != nullptr) {
+    if (before != nullptr && field.value.asObject() != nullptr &&
+        target.find(field.key) != nullptr) {
       updateFields(target[field.key], *before, field.value);
     } else {
       target[field.key] = field.value;

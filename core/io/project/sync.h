@@ -31,6 +31,7 @@ void syncList(Json& root, std::string_view key, const std::vector<Item>& items,
   if (list == nullptr && items.empty()) return;
   const Json old = list == nullptr ? Json::array() : *list;
   std::vector<std::string> names;
+  names.reserve(items.size());
   for (const Item& item : items) names.push_back(item.name);
   JsonArray written;
   for (std::size_t i = 0; i < items.size(); ++i) {
