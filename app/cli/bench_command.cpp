@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "app/cli/bench_frame.h"
 #include "app/cli/bench_glossy_command.h"
 #include "app/cli/bench_growth_command.h"
+#include "app/cli/bench_papers_command.h"
 #include "app/cli/bench_prt_command.h"
 #include "app/cli/bench_report.h"
 #include "app/cli/bench_sh_command.h"
@@ -115,8 +117,7 @@ void addBenchCommand(CLI::App& app, Session& session) {
       ->type_name("FOLDER");
   addLayoutOption(*command, arguments->common);
   addSetOption(*command, arguments->common);
-  command->add_option("--threads", arguments->common.threads, "Number of threads")
-      ->check(CLI::Range(1, 1024));
+  addThreadsOption(*command, arguments->common);
   addSeedOption(*command, arguments->common);
   addJsonOption(*command, arguments->common);
   command
@@ -137,6 +138,7 @@ void addBenchCommand(CLI::App& app, Session& session) {
   addBenchShCommand(*command, session);
   addBenchGlossyCommand(*command, session);
   addBenchGrowthCommand(*command, session);
+  addBenchPapersCommand(*command, session);
   command->callback([&session, arguments, command] {
     if (!command->get_subcommands().empty()) return;  // theirs was called
     session.run = [arguments, &session] { return runBench(*arguments, session); };

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/bench_glossy_command.h"
 
-#include "app/cli/common_options.h"
+#include "app/cli/bench_frame.h"
 #include "app/cli/engine.h"
-#include "app/cli/output.h"
 #include "app/cli/picture_setup.h"
-#include "app/cli/progress_bar.h"
 #include "core/design/glossy_bench.h"
 #include "core/design/glossy_pictures.h"
 #include "core/io/project/json.h"
@@ -15,13 +13,10 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <memory>
 
 namespace soffit::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct BenchGlossyArguments {
   CommonOptions common;
@@ -135,45 +130,28 @@ Result<design::GlossyPictures> picturesOf(BenchGlossyArguments& arguments, Sessi
 }
 
 Result<void> runBenchGlossy(BenchGlossyArguments arguments, Session& session) {
-  const std::string& output = arguments.common.output;
-  const auto file = [&](const char* name) {
-    return output.empty() ? std::string() : (fs::path(output) / name).string();
-  };
-  if (!output.empty()) {
-    std::error_code trouble;
-    fs::create_directories(output, trouble);
-    if (auto ok = checkResultFile(file("glossy.csv")); !ok) return ok;
-  }
-  arguments.methods.seed = arguments.common.seed;
-  ProgressBar progress;
-  design::GlossyPictures pictures;
-  if (!arguments.common.project.empty()) {
-    auto found = picturesOf(arguments, session, progress);
-    if (!found) return found.error();
-    pictures = std::move(*found);
-  }
-  const auto rows = design::measureGlossy(arguments.methods, session.job(progress));
-  if (!rows) return rows.error();
-  progress.clear();
-  if (!output.empty()) {
-    if (const auto ok = writeResult(file("glossy.csv"), design::formatGlossyBenchRows(*rows));
-        !ok) {
-      return ok;
-    }
-    if (!pictures.rows.empty()) {
-      const auto ok =
-          writeResult(file("glossy_pictures.csv"), design::formatGlossyPictureRows(pictures.rows));
-      if (!ok) return ok;
-      if (auto done = writeResult(file("glossy_pixels.csv"), pictures.pixels); !done) {
-        return done;
-      }
-    }
-  }
-  if (arguments.common.json) {
-    return writeResult("", io::formatJsonLine(jsonOf(*rows, pictures.rows)) + "\n");
-  }
-  return writeResult("",
-                     (pictures.rows.empty() ? "" : tableOf(pictures.rows) + "\n") + tableOf(*rows));
+  return runBenchFrame(
+      arguments.common, "glossy.csv", [&](ProgressBar& progress) -> Result<BenchFindings> {
+        design::GlossyPictures pictures;
+        if (!arguments.common.project.empty()) {
+          auto found = picturesOf(arguments, session, progress);
+          if (!found) return found.error();
+          pictures = std::move(*found);
+        }
+        arguments.methods.seed = arguments.common.seed;
+        const auto rows = design::measureGlossy(arguments.methods, session.job(progress));
+        if (!rows) return rows.error();
+        BenchFindings found{tableOf(*rows),
+                            jsonOf(*rows, pictures.rows),
+                            {{"glossy.csv", design::formatGlossyBenchRows(*rows)}}};
+        if (!pictures.rows.empty()) {
+          found.table = tableOf(pictures.rows) + "\n" + found.table;
+          found.files.push_back(
+              {"glossy_pictures.csv", design::formatGlossyPictureRows(pictures.rows)});
+          found.files.push_back({"glossy_pixels.csv", pictures.pixels});
+        }
+        return found;
+      });
 }
 
 }  // namespace
@@ -185,14 +163,10 @@ void addBenchGlossyCommand(CLI::App& bench, Session& session) {
   auto arguments = std::make_shared<BenchGlossyArguments>();
   command->add_option("P", arguments->common.project,
                       "Project whose pictures are compared with the path tracer; none without");
-  command
-      ->add_option("-o,--output", arguments->common.output,
-                   "Folder for glossy.csv, glossy_pictures.csv and glossy_pixels.csv")
-      ->type_name("FOLDER");
   addLayoutOption(*command, arguments->common);
   addSetOption(*command, arguments->common);
-  addSeedOption(*command, arguments->common);
-  addJsonOption(*command, arguments->common);
+  addBenchOptions(*command, arguments->common,
+                  "glossy.csv, glossy_pictures.csv and glossy_pixels.csv");
   command->add_option("--camera", arguments->camera, "One camera instead of all");
   command->add_option("--size", arguments->size, "Pixels of the pictures")->type_name("WxH");
   command

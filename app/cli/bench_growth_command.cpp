@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/bench_growth_command.h"
 
-#include "app/cli/common_options.h"
-#include "app/cli/output.h"
-#include "app/cli/progress_bar.h"
-#include "core/base/parallel.h"
+#include "app/cli/bench_frame.h"
 #include "core/design/growth_bench.h"
 #include "core/io/project/json.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -63,26 +59,15 @@ io::Json jsonOf(const std::vector<design::GrowthRow>& rows) {
 }
 
 Result<void> runBenchGrowth(const BenchGrowthArguments& arguments, Session& session) {
-  namespace fs = std::filesystem;
-  const CommonOptions& common = arguments.common;
-  const fs::path file = common.output.empty() ? fs::path() : fs::path(common.output) / "growth.csv";
-  if (!file.empty()) {
-    std::error_code trouble;
-    fs::create_directories(common.output, trouble);
-    if (auto ok = checkResultFile(file.string()); !ok) return ok;
-  }
-  if (common.threads > 0) setThreadCount(common.threads);
-  ProgressBar progress;
-  design::GrowthOptions options = arguments.bench;
-  options.seed = common.seed;
-  const auto rows = design::measureGrowth(options, session.job(progress));
-  if (!rows) return rows.error();
-  progress.clear();
-  if (!file.empty()) {
-    auto written = writeResult(file.string(), design::formatGrowthRows(*rows));
-    if (!written) return written;
-  }
-  return writeResult("", common.json ? io::formatJsonLine(jsonOf(*rows)) + "\n" : tableOf(*rows));
+  return runBenchFrame(
+      arguments.common, "growth.csv", [&](ProgressBar& progress) -> Result<BenchFindings> {
+        design::GrowthOptions options = arguments.bench;
+        options.seed = arguments.common.seed;
+        const auto rows = design::measureGrowth(options, session.job(progress));
+        if (!rows) return rows.error();
+        return BenchFindings{
+            tableOf(*rows), jsonOf(*rows), {{"growth.csv", design::formatGrowthRows(*rows)}}};
+      });
 }
 
 }  // namespace
@@ -92,8 +77,7 @@ void addBenchGrowthCommand(CLI::App& bench, Session& session) {
       "growth",
       "Times of bake, move and mix over triangles and luminaires of generated rooms, no project");
   auto arguments = std::make_shared<BenchGrowthArguments>();
-  command->add_option("-o,--output", arguments->common.output, "Folder for growth.csv")
-      ->type_name("FOLDER");
+  addBenchOptions(*command, arguments->common, "growth.csv");
   command
       ->add_option("--triangles", arguments->bench.most_triangles,
                    "The largest room: 1,000 and tenfold steps up to this")
@@ -107,10 +91,7 @@ void addBenchGrowthCommand(CLI::App& bench, Session& session) {
   command->add_option("--quality", arguments->bench.quality, "Of the bakes")
       ->check(CLI::IsMember({"draft", "interactive", "final"}))
       ->capture_default_str();
-  command->add_option("--threads", arguments->common.threads, "Number of threads")
-      ->check(CLI::Range(1, 1024));
-  addSeedOption(*command, arguments->common);
-  addJsonOption(*command, arguments->common);
+  addThreadsOption(*command, arguments->common);
   command->callback([&session, arguments] {
     session.run = [arguments, &session] { return runBenchGrowth(*arguments, session); };
   });

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/bench_prt_command.h"
 
-#include "app/cli/common_options.h"
-#include "app/cli/output.h"
-#include "app/cli/progress_bar.h"
-#include "core/base/parallel.h"
+#include "app/cli/bench_frame.h"
 #include "core/design/prt_bench.h"
 #include "core/io/project/json.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -54,26 +50,15 @@ io::Json jsonOf(const std::vector<design::PrtBenchRow>& rows) {
 }
 
 Result<void> runBenchPrt(const BenchPrtArguments& arguments, Session& session) {
-  namespace fs = std::filesystem;
-  const CommonOptions& common = arguments.common;
-  const fs::path file = common.output.empty() ? fs::path() : fs::path(common.output) / "prt.csv";
-  if (!file.empty()) {
-    std::error_code trouble;
-    fs::create_directories(common.output, trouble);
-    if (auto ok = checkResultFile(file.string()); !ok) return ok;
-  }
-  if (common.threads > 0) setThreadCount(common.threads);
-  ProgressBar progress;
-  design::PrtBenchOptions options = arguments.bench;
-  options.seed = common.seed;
-  const auto rows = design::measurePrt(options, session.job(progress));
-  if (!rows) return rows.error();
-  progress.clear();
-  if (!file.empty()) {
-    auto written = writeResult(file.string(), design::formatPrtBenchRows(*rows));
-    if (!written) return written;
-  }
-  return writeResult("", common.json ? io::formatJsonLine(jsonOf(*rows)) + "\n" : tableOf(*rows));
+  return runBenchFrame(
+      arguments.common, "prt.csv", [&](ProgressBar& progress) -> Result<BenchFindings> {
+        design::PrtBenchOptions options = arguments.bench;
+        options.seed = arguments.common.seed;
+        const auto rows = design::measurePrt(options, session.job(progress));
+        if (!rows) return rows.error();
+        return BenchFindings{
+            tableOf(*rows), jsonOf(*rows), {{"prt.csv", design::formatPrtBenchRows(*rows)}}};
+      });
 }
 
 }  // namespace
@@ -82,8 +67,7 @@ void addBenchPrtCommand(CLI::App& bench, Session& session) {
   CLI::App* command = bench.add_subcommand(
       "prt", "Diffuse transfer: time, memory and error of bakes and evaluation, no project");
   auto arguments = std::make_shared<BenchPrtArguments>();
-  command->add_option("-o,--output", arguments->common.output, "Folder for prt.csv")
-      ->type_name("FOLDER");
+  addBenchOptions(*command, arguments->common, "prt.csv");
   command
       ->add_option(
           "--side", arguments->bench.side,
@@ -97,10 +81,7 @@ void addBenchPrtCommand(CLI::App& bench, Session& session) {
                    "0: a quick look, 1: as the figures are given")
       ->check(CLI::Range(0, 1))
       ->capture_default_str();
-  command->add_option("--threads", arguments->common.threads, "Number of threads")
-      ->check(CLI::Range(1, 1024));
-  addSeedOption(*command, arguments->common);
-  addJsonOption(*command, arguments->common);
+  addThreadsOption(*command, arguments->common);
   command->callback([&session, arguments] {
     session.run = [arguments, &session] { return runBenchPrt(*arguments, session); };
   });

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/bench_sh_command.h"
 
-#include "app/cli/common_options.h"
-#include "app/cli/output.h"
-#include "app/cli/progress_bar.h"
+#include "app/cli/bench_frame.h"
 #include "core/design/sh_bench.h"
 #include "core/io/project/json.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <memory>
 
 namespace soffit::cli {
@@ -40,22 +37,12 @@ io::Json jsonOf(const std::vector<design::ShBenchRow>& rows) {
 }
 
 Result<void> runBenchSh(const CommonOptions& common, Session& session) {
-  namespace fs = std::filesystem;
-  const fs::path file = common.output.empty() ? fs::path() : fs::path(common.output) / "sh.csv";
-  if (!file.empty()) {
-    std::error_code trouble;
-    fs::create_directories(common.output, trouble);
-    if (auto ok = checkResultFile(file.string()); !ok) return ok;
-  }
-  ProgressBar progress;
-  const auto rows = design::measureSh({.seed = common.seed}, session.job(progress));
-  if (!rows) return rows.error();
-  progress.clear();
-  if (!file.empty()) {
-    auto written = writeResult(file.string(), design::formatShBenchRows(*rows));
-    if (!written) return written;
-  }
-  return writeResult("", common.json ? io::formatJsonLine(jsonOf(*rows)) + "\n" : tableOf(*rows));
+  return runBenchFrame(common, "sh.csv", [&](ProgressBar& progress) -> Result<BenchFindings> {
+    const auto rows = design::measureSh({.seed = common.seed}, session.job(progress));
+    if (!rows) return rows.error();
+    return BenchFindings{
+        tableOf(*rows), jsonOf(*rows), {{"sh.csv", design::formatShBenchRows(*rows)}}};
+  });
 }
 
 }  // namespace
@@ -64,9 +51,7 @@ void addBenchShCommand(CLI::App& bench, Session& session) {
   CLI::App* command = bench.add_subcommand(
       "sh", "Spherical harmonics: time and error of each method, one thread, no project");
   auto common = std::make_shared<CommonOptions>();
-  command->add_option("-o,--output", common->output, "Folder for sh.csv")->type_name("FOLDER");
-  addSeedOption(*command, *common);
-  addJsonOption(*command, *common);
+  addBenchOptions(*command, *common, "sh.csv");
   command->callback([&session, common] {
     session.run = [common, &session] { return runBenchSh(*common, session); };
   });

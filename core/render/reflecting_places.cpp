@@ -2,6 +2,7 @@
 #include "core/render/reflecting_places.h"
 
 #include "core/color/luminance.h"
+#include "core/geometry/triangle_area.h"
 #include "core/math/sampling.h"
 #include "core/relight/reflectance.h"
 
@@ -16,13 +17,6 @@ constexpr double kLeastShare = 0.1;
 constexpr double kLooksPerArea = 16.0;
 constexpr int kFewestLooks = 4;
 constexpr int kMostLooks = 256;
-
-double areaOf(const geometry::Mesh& mesh, std::uint32_t triangle) {
-  const uvec3& t = mesh.triangles[triangle];
-  return 0.5 *
-         static_cast<double>(glm::length(glm::cross(mesh.positions[t.y] - mesh.positions[t.x],
-                                                    mesh.positions[t.z] - mesh.positions[t.x])));
-}
 
 }  // namespace
 
@@ -52,7 +46,7 @@ ReflectingPlaces::ReflectingPlaces(const ViewScene& scene, const transfer::Texel
           relight::lobeAlbedo(static_cast<double>(m.f0), std::sqrt(static_cast<double>(m.alpha)));
     }
     for (const bool front : {true, false}) {
-      ReflectingSide side{t, front, areaOf(scene.mesh(), t), 0.0};
+      ReflectingSide side{t, front, geometry::areaOf(scene.mesh(), t), 0.0};
       side.weight = meanLight(scene, texels, lit, side);
       if (side.weight < 0.0) continue;
       sides_.push_back(side);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/transfer/forecast.h"
 
+#include "core/geometry/triangle_area.h"
 #include "core/math/rng.h"
 #include "core/math/sampling.h"
 #include "core/transfer/texel_plan.h"
@@ -32,20 +33,13 @@ constexpr double kListShare = 0.22;
 constexpr double kBytesPower = 1.26;  ///< of the rays along one side of a list
 constexpr double kTolerance = 0.05;
 
-double areaOf(const geometry::Mesh& mesh, std::size_t triangle) {
-  const uvec3& t = mesh.triangles[triangle];
-  return 0.5 *
-         static_cast<double>(glm::length(glm::cross(mesh.positions[t.y] - mesh.positions[t.x],
-                                                    mesh.positions[t.z] - mesh.positions[t.x])));
-}
-
 /// Cosine-distributed rays from places that are even over the lit surfaces, as a bake has them.
 class Probe {
  public:
   explicit Probe(const StaticScene& scene) : scene_(scene) {
     double sum = 0.0;
     for (std::size_t t = 0; t < scene.mesh->triangles.size(); ++t) {
-      if (scene.sides[t] != 0) sum += areaOf(*scene.mesh, t);
+      if (scene.sides[t] != 0) sum += geometry::areaOf(*scene.mesh, t);
       cumulative_.push_back(sum);
     }
   }

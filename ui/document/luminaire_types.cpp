@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/document/luminaire_types.h"
 
+#include "core/geometry/triangle_area.h"
 #include "core/io/photometry/ies_writer.h"
 #include "ui/document/mesh_text.h"
 #include "ui/document/synthetic_photometry.h"
@@ -139,11 +140,7 @@ LuminaireType typeFromPhotometry(const io::PhotometricFile& file, const std::str
 LuminaireType typeFromMesh(const QString& name, std::shared_ptr<const geometry::Mesh> mesh,
                            const std::string& file_name, std::string obj_text) {
   double area = 0.0;
-  for (const uvec3& t : mesh->triangles) {
-    const vec3& a = mesh->positions[t.x];
-    area += 0.5 * static_cast<double>(
-                      glm::length(glm::cross(mesh->positions[t.y] - a, mesh->positions[t.z] - a)));
-  }
+  for (std::size_t t = 0; t < mesh->triangles.size(); ++t) area += geometry::areaOf(*mesh, t);
   LuminaireType type;
   type.name = name;
   type.prototype.name = toStd(name);
