@@ -43,11 +43,11 @@ class PapersBench {
 
   Result<std::vector<PapersRow>> run() {
     const std::vector<int> sides{options_.side / 4, options_.side / 2, options_.side};
-    report("vertices", 0.0);
+    tell("vertices", 0.0);
     if (!job_.cancelled()) atVertices(verticesPlace(options_.triangles, options_.directions));
     for (std::size_t i = 0; i < sides.size(); ++i) {
       // Texels grow by four from one to the next.
-      report(fmt::format("texture {}", sides[i]), i == 0 ? 0.1 : (i == 1 ? 0.15 : 0.3));
+      tell(fmt::format("texture {}", sides[i]), i == 0 ? 0.1 : (i == 1 ? 0.15 : 0.3));
       if (job_.cancelled()) break;
       atTexels(texturePlace(options_.triangles, sides[i], options_.directions), sides[i]);
     }
@@ -62,7 +62,7 @@ class PapersBench {
   static int rankOf(const std::string& table) {
     return table == kFujita ? 0 : (table == kDhawal1 ? 1 : 2);
   }
-  void report(const std::string& stage, double done) const { job_.report(stage, done); }
+  void tell(const std::string& stage, double done) const { job_.report(stage, done); }
 
   PapersRow& add(const char* table, const std::string& work, const PapersPlace& place) {
     PapersRow row;
