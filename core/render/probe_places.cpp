@@ -35,12 +35,13 @@ std::vector<ReflectingPiece> drawn(std::span<const ReflectingPiece> pieces) {
   return out;
 }
 
-/// Whether anything stands on the side of the piece that reflects.
+/// Whether more than a tenth of what lies on the side of the piece that reflects is not void.
 bool seesAnything(const geometry::RayCaster& caster, const vec3& from, const vec3& normal) {
-  static const sh::SphereSamples around = sh::hammersleySamples(32);
-  return std::ranges::any_of(around.directions, [&](const dvec3& d) {
+  static const sh::SphereSamples around = sh::hammersleySamples(64);
+  const auto met = std::ranges::count_if(around.directions, [&](const dvec3& d) {
     return glm::dot(vec3(d), normal) > 0.0F && caster.occluded({from, 0.0F, vec3(d)});
   });
+  return met > 3;
 }
 
 std::vector<vec3> candidatesOf(const geometry::RayCaster& caster,
