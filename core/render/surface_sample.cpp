@@ -93,11 +93,28 @@ void applyMaps(const geometry::Mesh& m, const Corners& c, const ViewMaterial& ma
 /// not shade it. What lies between it and the eye is free, so it stays on the open side.
 constexpr float kTowardEye = 1e-3F;
 
-vec3 drawnTowardEye(const vec3& p, const vec3& facing, const vec3& to_eye, float footprint) {
+/// Never past half the way to the triangle's edge: beyond it the surface may bend, and a point that
+/// hovers over the ridge of a flute sees lamps that its ground does not.
+vec3 drawnTowardEye(const geometry::Mesh& m, const Corners& c, const vec3& p, const vec3& facing,
+                    const vec3& to_eye, float footprint) {
   const vec3 along = to_eye - glm::dot(to_eye, facing) * facing;
   const float length = glm::length(along);
   // Straight from above there is no such direction: less and less toward it.
-  return p + std::min(kTowardEye, 0.5F * footprint) / std::max(length, kLeastCosine) * along;
+  const vec3 way = std::min(kTowardEye, 0.5F * footprint) / std::max(length, kLeastCosine) * along;
+  const vec3 u = m.positions[c.t.y] - m.positions[c.t.x];
+  const vec3 v = m.positions[c.t.z] - m.positions[c.t.x];
+  const vec3 n = glm::cross(u, v);
+  const float n2 = glm::dot(n, n);
+  if (!(n2 > 0.0F)) return p;
+  // How the way changes the corners' weights, one of which vanishes on each edge.
+  const float du = glm::dot(glm::cross(way, v), n) / n2;
+  const float dv = glm::dot(glm::cross(u, way), n) / n2;
+  const vec3 change(-du - dv, du, dv);
+  float share = 1.0F;
+  for (int k = 0; k < 3; ++k) {
+    if (change[k] < 0.0F) share = std::min(share, -0.5F * c.weights[k] / change[k]);
+  }
+  return p + std::max(share, 0.0F) * way;
 }
 
 }  // namespace
@@ -125,7 +142,7 @@ SurfaceSample sampleSurface(const ViewScene& scene, const geometry::Ray& ray,
       s.point.position = lifted(m, c, s.point.position, facing);
     }
   }
-  s.point.position = drawnTowardEye(s.point.position, facing, s.to_eye, s.footprint);
+  s.point.position = drawnTowardEye(m, c, s.point.position, facing, s.to_eye, s.footprint);
   applyMaps(m, c, material, options, s, normal);
   if (!options.plain_normals) s.point.shading_normal = towardEye(side * normal, s.to_eye);
   return s;

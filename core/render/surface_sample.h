@@ -34,7 +34,8 @@ struct SurfaceOptions {
 /// vertex normals make a surface look convex, the position is lifted to the curve that they
 /// describe, so that the facets do not shade themselves (Hanika 2021, "Hacking the Shadow
 /// Terminator", Ray Tracing Gems II). It is drawn toward the eye along the surface by 1 mm, or half
-/// the footprint if that is less, so that the foot of a wall is not on the wall as well.
+/// the footprint if that is less, so that the foot of a wall is not on the wall as well; and never
+/// further than half the way to its triangle's edge, beyond which the surface may bend.
 SurfaceSample sampleSurface(const ViewScene& scene, const geometry::Ray& ray,
                             const geometry::Hit& hit, const SurfaceOptions& options);
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace soffit::render {
 namespace {
@@ -82,7 +83,7 @@ void TileRenderer::render(std::span<const PixelTask> tasks, std::span<const vec2
   s.central = static_cast<std::size_t>(std::min_element(pattern.begin(), pattern.end(), nearer) -
                                        pattern.begin());
   trace(tasks, pattern, s);
-  groupSamples(tasks, pattern.size(), s);
+  groupSamples(tasks, pattern, s);
   s.batch.clear();
   for (TileScratch::Group& group : s.groups) {
     SurfacePoint point = s.samples[group.first].point;
@@ -123,8 +124,9 @@ bool TileRenderer::sameAsBefore(std::size_t i, const TileScratch& s) const {
              2.0F * sample.footprint;
 }
 
-void TileRenderer::groupSamples(std::span<const PixelTask> tasks, std::size_t per_pixel,
+void TileRenderer::groupSamples(std::span<const PixelTask> tasks, std::span<const vec2> pattern,
                                 TileScratch& s) const {
+  const std::size_t per_pixel = pattern.size();
   const SurfaceOptions how{.spread = static_cast<float>(camera_.pixelAngle()),
                            .footprint = 0.0F,
                            .texture_share = textureShare(per_pixel),
@@ -141,8 +143,10 @@ void TileRenderer::groupSamples(std::span<const PixelTask> tasks, std::size_t pe
       if (i > pixel * per_pixel && tasks[pixel].share && sameAsBefore(i, s)) {
         s.samples[i] = s.samples[i - 1];
         s.group_of[i] = s.group_of[i - 1];
-        s.groups[s.group_of[i]].count += 1;
-        s.groups[s.group_of[i]].normals += s.samples[i].point.shading_normal;
+        TileScratch::Group& own = s.groups[s.group_of[i]];
+        own.count += 1;
+        own.normals += s.samples[i].point.shading_normal;
+        own.offsets += pattern[i - pixel * per_pixel];
         continue;
       }
       s.samples[i] = sampleSurface(scene_, s.rays[i], s.first[i].surface, how);
@@ -150,13 +154,38 @@ void TileRenderer::groupSamples(std::span<const PixelTask> tasks, std::size_t pe
       while (group < s.groups.size() && !samePlace(s.samples[s.groups[group].first], s.samples[i]))
         ++group;
       if (group == s.groups.size())
-        s.groups.push_back({static_cast<std::uint32_t>(i), 0, vec3(0.0F), 0});
-      s.groups[group].count += 1;
-      s.groups[group].normals += s.samples[i].point.shading_normal;
+        s.groups.push_back({static_cast<std::uint32_t>(i), 0, vec3(0.0F), vec2(0.0F), 0});
+      TileScratch::Group& own = s.groups[group];
+      own.count += 1;
+      own.normals += s.samples[i].point.shading_normal;
+      own.offsets += pattern[i - pixel * per_pixel];
       s.group_of[i] = static_cast<std::uint32_t>(group);
     }
+    chooseMiddle(begin, pixel * per_pixel, pattern, how, s);
   }
   s.first_group.push_back(static_cast<std::uint32_t>(s.groups.size()));
+}
+
+/// The sample nearest to the middle of its group stands for it: the first one lies at the rim of
+/// the pixel, where the light may already be another.
+void TileRenderer::chooseMiddle(std::size_t first_group, std::size_t begin,
+                                std::span<const vec2> pattern, const SurfaceOptions& how,
+                                TileScratch& s) const {
+  for (std::size_t g = first_group; g < s.groups.size(); ++g) {
+    TileScratch::Group& group = s.groups[g];
+    if (group.count < 2) continue;
+    const vec2 middle = group.offsets / static_cast<float>(group.count);
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t k = 0; k < pattern.size(); ++k) {
+      const vec2 d = pattern[k] - middle;
+      if (s.group_of[begin + k] != g || glm::dot(d, d) >= least) continue;
+      least = glm::dot(d, d);
+      group.first = static_cast<std::uint32_t>(begin + k);
+    }
+    // It may have been taken for the one before it.
+    const std::size_t own = group.first;
+    s.samples[own] = sampleSurface(scene_, s.rays[own], s.first[own].surface, how);
+  }
 }
 
 void TileRenderer::resolve(const PixelTask& task, std::size_t pixel, std::size_t per_pixel,
@@ -208,10 +237,12 @@ void TileRenderer::reflect(std::span<const PixelTask> tasks, std::size_t per_pix
     auto& out = layer.pixels[film.at(tasks[pixel].x, tasks[pixel].y)];
     out.coverage = static_cast<float>(reflecting) / static_cast<float>(per_pixel);
     if (best == kNoGroup) continue;
-    const std::uint32_t material = s.samples[s.groups[best].first].material;
+    const std::uint32_t middle = s.groups[best].first;
     const std::size_t before = s.mirror_samples.size();
+    s.mirror_samples.push_back(s.samples[middle]);  // the one that highlights are seen from
     for (std::size_t i = pixel * per_pixel; i < (pixel + 1) * per_pixel; ++i) {
-      if (s.group_of[i] == best && s.samples[i].material == material)
+      if (i != middle && s.group_of[i] == best &&
+          s.samples[i].material == s.samples[middle].material)
         s.mirror_samples.push_back(s.samples[i]);
     }
     s.mirror_counts.push_back(static_cast<std::uint32_t>(s.mirror_samples.size() - before));

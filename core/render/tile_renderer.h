@@ -25,9 +25,10 @@ struct PixelTask {
 struct TileScratch {
   /// Samples of one pixel that see the same place.
   struct Group {
-    std::uint32_t first = 0;  ///< its first sample
+    std::uint32_t first = 0;  ///< the sample that stands for all: once listed, the middle one
     std::uint32_t count = 0;
     vec3 normals{0.0F};       ///< sum of the shading normals
+    vec2 offsets{0.0F};       ///< sum of where in the pixel they are
     std::uint32_t light = 0;  ///< index in `batch`
   };
   std::vector<geometry::Ray> rays;
@@ -67,7 +68,10 @@ class TileRenderer {
   void trace(std::span<const PixelTask> tasks, std::span<const vec2> pattern, TileScratch& s) const;
   [[nodiscard]] bool mayShowLuminaires(std::span<const PixelTask> tasks) const;
   [[nodiscard]] bool sameAsBefore(std::size_t i, const TileScratch& s) const;
-  void groupSamples(std::span<const PixelTask> tasks, std::size_t per_pixel, TileScratch& s) const;
+  void groupSamples(std::span<const PixelTask> tasks, std::span<const vec2> pattern,
+                    TileScratch& s) const;
+  void chooseMiddle(std::size_t first_group, std::size_t begin, std::span<const vec2> pattern,
+                    const SurfaceOptions& how, TileScratch& s) const;
   void resolve(const PixelTask& task, std::size_t pixel, std::size_t per_pixel,
                const TileScratch& s, Film& film) const;
   void listMirrors(TileScratch& s) const;

@@ -30,7 +30,8 @@ TEST(SurfaceSample, FacesTheEyeOnBothSides) {
 
 TEST(SurfaceSample, ThePointIsDrawnTowardTheEyeAlongItsSurface) {
   SceneBuilder builder;
-  builder.addQuad({-5, -5, 0}, {10, 0, 0}, {0, 10, 0}, builder.addMaterial({}));
+  // The quad's diagonal, an edge of its triangles, passes the place at a metre.
+  builder.addQuad({-5, -6, 0}, {10, 0, 0}, {0, 10, 0}, builder.addMaterial({}));
   const auto scene = builder.build();
   // Round-off: coordinates of a few metres in single precision.
   constexpr float kRoundoff = 1e-6F;
@@ -42,6 +43,26 @@ TEST(SurfaceSample, ThePointIsDrawnTowardTheEyeAlongItsSurface) {
   EXPECT_NEAR(narrow.point.position.x, 5e-5F, kRoundoff) << "never by more than half a pixel";
   EXPECT_NEAR(shoot(*scene, {0, 0, 4}, {0, 0, -1}, {.footprint = 0.1F}).point.position.x, 0.0F,
               kRoundoff);
+}
+
+TEST(SurfaceSample, ThePointIsNotDrawnOverARidge) {
+  // The flank of a flute, 4 mm wide, ends at x = 0; what is seen beyond lies deeper.
+  SceneBuilder builder;
+  builder.addQuad({-4e-3F, -1, 0}, {4e-3F, 0, 0}, {0, 2, 0}, builder.addMaterial({}));
+  const auto scene = builder.build();
+  const vec3 toward(0.6F, 0, 0.8F);
+  for (int i = 0; i < 100; ++i) {
+    const dvec2 u = r2Sequence(static_cast<std::uint32_t>(i));
+    const vec3 met(-4e-3F * static_cast<float>(u.x), static_cast<float>(u.y) - 0.5F, 0.0F);
+    const geometry::Ray ray{.origin = met + toward, .direction = -toward};
+    const geometry::Hit hit = scene->caster().closest(ray);
+    if (!hit.valid()) continue;
+    const float x = sampleSurface(*scene, ray, hit, {.footprint = 0.1F}).point.position.x;
+    // Round-off of coordinates of a metre, and of the place that the ray meets.
+    constexpr float kRoundoff = 1e-6F;
+    EXPECT_GE(x, met.x - kRoundoff) << "toward the eye";
+    EXPECT_LE(x, 0.5F * met.x + kRoundoff) << "half the way to the ridge at most";
+  }
 }
 
 TEST(SurfaceSample, AlbedoFollowsTheTexture) {
