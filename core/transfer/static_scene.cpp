@@ -29,15 +29,24 @@ bool isRoom(const geometry::Mesh& mesh, const geometry::Components& components, 
       continue;
     }
     // Centres of a few triangles; those that lie on the shell itself (a block's foot on the
-    // floor) say nothing.
+    // floor) say nothing. What only dips into the shell with less than half of its area, as a
+    // picture's edge into its frame, is not held either: the frame would be lit from inside.
     const float margin = 1e-4F * c.bounds.diagonal();
     const std::size_t step = std::max<std::size_t>(1, o.triangles.size() / 16);
+    float held = 0.0F;
+    float area = 0.0F;
     for (std::size_t k = 0; k < o.triangles.size(); k += step) {
       const uvec3& t = mesh.triangles[o.triangles[k]];
-      const vec3 p = (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0F;
+      const vec3& a = mesh.positions[t.x];
+      const vec3 p = (a + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0F;
       const vec3 gap = glm::min(p - c.bounds.lo, c.bounds.hi - p);
-      if (std::min({gap.x, gap.y, gap.z}) > margin && holds(p)) return true;
+      if (std::min({gap.x, gap.y, gap.z}) <= margin) continue;
+      const float own =
+          glm::length(glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a));
+      area += own;
+      if (holds(p)) held += own;
     }
+    if (held > 0.5F * area) return true;
   }
   return false;
 }
