@@ -171,8 +171,10 @@ vec3 lampHighlight(const LitLamp& lamp, const vec3& position, const vec3& normal
   const vec3 wi = -away / r;
   if (glm::dot(wi, normal) <= 0.0F) return vec3(0.0F);
   const LampMap::Seen seen = lamp.map->toward(away);
+  // How far behind what the lamp sees the point is: a texel of the map is 2.5 % of r wide.
+  const float behind = r - seen.distance;
   const float lit =
-      glm::smoothstep(glossy::ProbeDepth::kHidden, glossy::ProbeDepth::kSeen, seen.distance / r);
+      1.0F - glm::smoothstep(LitLamp::kSeen * (r + 1.0F), LitLamp::kHidden * (r + 1.0F), behind);
   if (lit * seen.candela <= 0.0F) return vec3(0.0F);
   vec3 t;
   vec3 b;

@@ -40,6 +40,9 @@ struct LitLamp {
   vec3 color{0.0F};     ///< linear Rec.709 with dimming and the piece's share of the luminaire
   std::shared_ptr<const LampMap> map;
 
+  /// Of 1 m and the distance: so far behind what the lamp sees a point is still lit, or dark.
+  static constexpr float kSeen = 0.01F;
+  static constexpr float kHidden = 0.03F;
   /// alpha^2 of a lobe grows by this times the square of the lamp's radius over its distance: the
   /// half vector turns by half the angle, and a disc's mean square radius is half its radius's
   /// square, which makes 1/8; the tails of GGX want more. Found against linearly transformed

@@ -152,7 +152,7 @@ vec3 highlight(int i, vec3 p, vec3 n, vec3 to_eye, float f0, float alpha) {
   vec2 at = clamp(0.5 * (c.xy + 1.0) * LAMP_SIDE - 0.5, vec2(-0.5), vec2(LAMP_SIDE - 0.5)) + 1.5;
   vec2 seen = texture(lamps, vec3(at / (LAMP_SIDE + 2.0), float(6 * i) + c.z)).rg;
   float reach = sqrt(1.0 + dot(c.xy, c.xy)) / max(seen.r, 1.0e-30);
-  float lit = smoothstep(HIDDEN, SEEN, reach / r);
+  float lit = 1.0 - smoothstep(LAMP_SEEN * (r + 1.0), LAMP_HIDDEN * (r + 1.0), r - reach);
   if (lit * seen.g <= 0.0) return vec3(0.0);
   float spread = lamp[i].w / r;
   float wide = clamp(sqrt(alpha * alpha + SPREAD * spread * spread), MIRROR_ALPHA, 1.0);
@@ -276,6 +276,8 @@ std::string reflectionFragmentShader() {
   defineInt("MOST_LAMPS", kMostShaderLamps);
   define("LAMP_SIDE", render::LampMap::kSide);
   define("PI", kPi);
+  define("LAMP_SEEN", static_cast<double>(render::LitLamp::kSeen));
+  define("LAMP_HIDDEN", static_cast<double>(render::LitLamp::kHidden));
   define("SPREAD", static_cast<double>(render::LitLamp::kSpread));
   defineInt("STEPS", ProbeDepth::kSteps);
   defineInt("BISECTIONS", ProbeDepth::kBisections);
