@@ -144,9 +144,10 @@ void spread(std::span<const WeightedSum> sums, std::span<const WeightedColumn> c
       for (float* plane : light) std::fill_n(plane, slots, 0.0F);
       interpolate(reflected.skeleton, reflected.node, operators, i, light);
       for (float* plane : light) {
+        if (part == LightPart::share) continue;
         for (std::size_t s = 0; s < slots; ++s) plane[s] = std::max(plane[s], 0.0F);
       }
-      if (part == LightPart::all) addDirect(sums, columns, clusters[i], i, light);
+      if (part != LightPart::reflected) addDirect(sums, columns, clusters[i], i, light);
     }
   });
   const auto& from = operators.fill_from;

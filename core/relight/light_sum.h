@@ -30,8 +30,8 @@ struct WeightedSum {
   dvec3 factor{1.0};
 };
 
-/// What spread() leaves out.
-enum class LightPart : std::uint8_t { all, reflected };
+/// What spread() gives. share: all, as a part of a larger sum: reflected light may be below 0.
+enum class LightPart : std::uint8_t { all, reflected, share };
 
 /// Darkness.
 [[nodiscard]] LightSum noLight(const transfer::Operators& operators);
