@@ -109,7 +109,7 @@ Result<SkyParts> Lighting::partsUnderSky(const daylight::Environment& environmen
   if (sky_hand_->rest == nullptr) {
     Planes rest;
     const WeightedSum lamps{&sky_hand_->lamps};
-    spread({&lamps, 1}, sky_hand_->discLights(), solver_->operators(), rest);
+    spread({&lamps, 1}, sky_hand_->discLights(), solver_->operators(), rest, LightPart::share);
     sky_hand_->rest = std::make_shared<const Planes>(std::move(rest));
   }
   return SkyParts{sky_transfer_, sky_transfer_->weights(environment), sky_hand_->rest};

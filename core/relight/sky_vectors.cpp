@@ -119,7 +119,7 @@ void SkyVectors::evaluate(std::span<const dvec3> weights, std::span<const vec3> 
 void lightPoints(const LightRows& rows, const Planes& lux, std::span<vec3> out) {
   parallelFor(rows.points(), 2 * kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
-      out[p] = glm::max(valueAt(rows, lux, p), vec3(0.0F));
+      out[p] = valueAt(rows, lux, p);
     }
   });
 }

@@ -7,6 +7,7 @@
 #include "core/light/emitter.h"
 #include "core/relight/lighting.h"
 #include "core/scene/scene.h"
+#include "ui/jobs/held_sky.h"
 
 #include <cstdint>
 #include <memory>
@@ -28,7 +29,11 @@ struct LightFrame {
   std::vector<std::vector<double>> shares;
   /// What shone in; null: nothing.
   std::shared_ptr<const daylight::Environment> outside;
-  bool complete = true;        ///< false: what shines in from outside is still to come
+  bool complete = true;  ///< false: what shines in from outside is still to come
+  /// While a slider of the surroundings is held, the light of the request's points; null: `lux`.
+  std::shared_ptr<const HeldSky> held;
+  /// `lux` is that of an earlier step: it follows once the hand pauses. Goes with `held`.
+  bool lux_late = false;
   std::uint64_t revision = 0;  ///< of the request that it answers
   relight::StageTimes times;   ///< of a move; zero otherwise
   light::DirectCounts counts;  ///< of a move; zero otherwise

@@ -11,6 +11,9 @@
 namespace soffit::ui {
 namespace {
 
+/// A hand that rests so long on a slider wants to read what it sees.
+constexpr std::chrono::milliseconds kPause{60};
+
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
       .count();
@@ -77,6 +80,8 @@ LightFramePtr RelightWorker::takeOther() {
 }
 
 void RelightWorker::publish(LightFramePtr frame) {
+  (frame->lux_late ? unwhole_ : whole_) = frame;
+  if (!frame->lux_late) unwhole_.reset();
   {
     const std::scoped_lock lock(mutex_);
     frame_ = std::move(frame);
@@ -119,11 +124,24 @@ void RelightWorker::run(const std::stop_token& stop) {
     std::optional<LightRequest> other;
     {
       std::unique_lock lock(mutex_);
-      wake_.wait(lock, stop, [this] {
+      const auto wanted = [this] {
         return newest_.has_value() || arrived_.has_value() || leave_out_ ||
                (has_solver_ && other_.has_value());
-      });
+      };
+      bool pause = false;
+      if (unwhole_ != nullptr) {
+        pause = !wake_.wait_for(lock, stop, kPause, wanted);
+      } else {
+        wake_.wait(lock, stop, wanted);
+      }
       if (stop.stop_requested()) return;
+      if (pause) {
+        current_ = std::stop_source();
+        give_up = current_.get_token();
+        lock.unlock();
+        settle(give_up);
+        continue;
+      }
       if (std::exchange(leave_out_, false)) {
         columns_.setOutside(nullptr);
         Q_EMIT outsideLeftOut();
@@ -133,6 +151,7 @@ void RelightWorker::run(const std::stop_token& stop) {
       if (newest_) last_ = std::exchange(newest_, std::nullopt);
       if (arrived_) {
         columns_.setSolver(arrived_->solver);
+        held_.forget();
         materials_ = arrived_->scene->materials;
         arrived_.reset();
       }
@@ -152,6 +171,8 @@ void RelightWorker::ensureBake(const LightRequest& request) {
   if (bake_ != nullptr && bake_->serves(*request.scene)) return;
   bake_.reset();
   columns_.setSolver(nullptr);
+  held_.forget();
+  whole_.reset();
   {
     // What the older one handed over in its last moment belongs to another building.
     const std::scoped_lock arrival(mutex_);
@@ -179,21 +200,87 @@ void RelightWorker::ensureOutside(const LightRequest& request) {
              : nullptr);
 }
 
+std::shared_ptr<const daylight::Environment> RelightWorker::heldEnvironment(
+    const LightRequest& request) const {
+  return std::make_shared<const daylight::Environment>(*request.scene->environment,
+                                                       columns_.outside().get());
+}
+
+LightFrame RelightWorker::heldFrameOf(const LightRequest& request, LightColumns::Answer answer,
+                                      std::shared_ptr<const daylight::Environment> outside,
+                                      Clock::time_point start) const {
+  LightFrame frame = frameOf(request, std::move(answer), start);
+  frame.outside = std::move(outside);
+  frame.complete = false;
+  frame.shares = shares_.last(request.probes, request.layout);
+  return frame;
+}
+
+/// The light under surroundings that a slider moves, at the request's points alone; null where it
+/// is not known what they receive, or there is no earlier light to be read meanwhile.
+LightFramePtr RelightWorker::heldAtPoints(const LightRequest& request,
+                                          const std::stop_token& stop) {
+  if (held_.empty() || whole_ == nullptr) return nullptr;
+  if (whole_->solver != columns_.solver()) return nullptr;
+  const auto start = Clock::now();
+  auto outside = heldEnvironment(request);
+  const auto parts =
+      columns_.partsUnder(*outside, request.layout, request.luminaires, Job{&relay_, stop});
+  if (!parts || !held_.fits(*parts, request.points)) return nullptr;
+  LightColumns::Answer answer;
+  answer.lux = whole_->lux;
+  const auto emitters = columns_.lightingOf(request.layout)->emitters();
+  answer.emitters.assign(emitters.begin(), emitters.end());
+  LightFrame frame = heldFrameOf(request, std::move(answer), std::move(outside), start);
+  frame.held = held_.step(*parts);
+  frame.lux_late = true;
+  frame.milliseconds = millisecondsSince(start);
+  return std::make_shared<const LightFrame>(std::move(frame));
+}
+
 /// The light under surroundings that a slider moves; null where it cannot be mixed.
 LightFramePtr RelightWorker::heldOutside(const LightRequest& request, const std::stop_token& stop) {
-  if (!request.outside_in_hand || !request.scene->environment) return nullptr;
   const auto start = Clock::now();
-  auto outside = std::make_shared<const daylight::Environment>(*request.scene->environment,
-                                                               columns_.outside().get());
+  auto outside = heldEnvironment(request);
   auto answer =
       columns_.lightUnder(*outside, request.layout, request.luminaires, Job{&relay_, stop});
   Q_EMIT lightFinished();
   if (!answer) return nullptr;
-  LightFrame frame = frameOf(request, std::move(*answer), start);
-  frame.outside = std::move(outside);
-  frame.complete = false;
-  frame.shares = shares_.last(request.probes, request.layout);
-  return std::make_shared<const LightFrame>(std::move(frame));
+  return std::make_shared<const LightFrame>(
+      heldFrameOf(request, std::move(*answer), std::move(outside), start));
+}
+
+/// The hand pauses: what is shown gets its own lux.
+void RelightWorker::settle(const std::stop_token& stop) {
+  const LightFramePtr shown = std::exchange(unwhole_, nullptr);
+  LightFramePtr whole = heldOutside(*last_, stop);
+  if (whole == nullptr) return;
+  LightFrame frame = *whole;
+  frame.held = shown->held;
+  frame.milliseconds = shown->milliseconds;
+  publish(std::make_shared<const LightFrame>(std::move(frame)));
+}
+
+/// Whether a request was answered whose surroundings are in hand.
+bool RelightWorker::serveHeld(const LightRequest& request, const std::stop_token& stop) {
+  held_.keepFor(request.points);
+  unwhole_.reset();
+  if (!request.outside_in_hand || !request.scene->environment) return false;
+  if (LightFramePtr quick = heldAtPoints(request, stop)) {
+    publish(std::move(quick));
+    return true;
+  }
+  LightFramePtr frame = heldOutside(request, stop);
+  if (frame == nullptr) return false;
+  const auto outside = frame->outside;
+  publish(std::move(frame));
+  if (request.points == nullptr) return true;
+  // The next step takes less.
+  const Job job{nullptr, stop};
+  if (auto parts = columns_.partsUnder(*outside, request.layout, request.luminaires, job)) {
+    held_.prepare(*parts, columns_.solver()->operators(), request.points, job);
+  }
+  return true;
 }
 
 /// Where nothing is shown yet, the luminaires' light comes before that from outside.
@@ -235,10 +322,9 @@ LightFramePtr RelightWorker::lightOf(const LightRequest& request, const std::sto
     const std::scoped_lock lock(mutex_);
     finding_outside_ = tells;
   }
-  auto answer = columns_.light(request.layout, request.luminaires, request.in_hand,
-                               Job{tells ? &relay_ : nullptr, stop},
-                               passing ? LightColumns::Outside::as_it_was
-                                       : LightColumns::Outside::found);
+  auto answer = columns_.light(
+      request.layout, request.luminaires, request.in_hand, Job{tells ? &relay_ : nullptr, stop},
+      passing ? LightColumns::Outside::as_it_was : LightColumns::Outside::found);
   if (tells) {
     const std::scoped_lock lock(mutex_);
     finding_outside_ = false;
@@ -266,10 +352,7 @@ void RelightWorker::serve(const LightRequest& request, const std::stop_token& st
   if (!has_solver_) return;  // its arrival wakes this thread
   ensureMaterials(request);
   columns_.keep(request.layout);
-  if (LightFramePtr frame = heldOutside(request, stop)) {
-    publish(std::move(frame));
-    return;
-  }
+  if (serveHeld(request, stop)) return;
   ensureOutside(request);
   const auto start = Clock::now();
   if (auto painted = columns_.paintedLight(request.layout, request.luminaires)) {

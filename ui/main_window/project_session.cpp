@@ -128,7 +128,20 @@ void ProjectSession::connectView() {
     if (relighting_.frame() != nullptr) {
       workspace_.status->showLight(*relighting_.frame(), frame_ms);
     }
+    const SkyEvaluation::Figures sky = workspace_.area->view().skyFigures();
+    workspace_.quality->showSky(sky);
+    if (sky.where == SkyEvaluation::Figures::Where::refused) {
+      workspace_.evaluation->setObstacle(
+          tr("the transfer vectors of this building do not fit into the graphics processor"));
+    }
   });
+  // Another building, another size.
+  workspace_.evaluation->setObstacle({});
+  connect(&view, &SceneView::meshChanged, this, [this] {
+    workspace_.evaluation->setObstacle({});
+    offerPoints();
+  });
+  connect(workspace_.evaluation, &EvaluationChoice::changed, this, &ProjectSession::offerPoints);
   connect(&workspace_.area->input(), &ViewInput::pointed, this,
           [this](const PointedAt& at) { workspace_.status->showReading(at.surface); });
   connect(&workspace_.area->input(), &ViewInput::surfaceClicked, this,
@@ -226,6 +239,12 @@ void ProjectSession::exportResults() {
       [this](const QString& path) { workspace_.log->addLine(tr("Wrote %1").arg(path)); });
 }
 
+/// Where the view evaluates light itself, that of surroundings in hand is wanted at its points.
+void ProjectSession::offerPoints() {
+  relighting_.setPoints(workspace_.evaluation->onGpu() ? workspace_.area->view().lightRows()
+                                                       : nullptr);
+}
+
 void ProjectSession::onFrame() {
   workspace_.quality->showFrame(*relighting_.frame());
   const bool dark = document_.luminaires().empty() && !document_.scene()->environment;
@@ -238,6 +257,7 @@ void ProjectSession::onFrame() {
     return;
   }
   workspace_.area->grid().setFrame(relighting_.frame());
+  offerPoints();  // a mesh in other colours is another mesh
   if (!document_.previewing()) {
     workspace_.view->suggestRange(color::roundRange(percentileLux(*relighting_.frame())));
   }

@@ -51,6 +51,7 @@ class ProjectSession : public QObject {
   void connectVerification();
   void showErrorMap();
   void onFrame();
+  void offerPoints();
   void placeLuminaires();
   void saveCamera();
   void updateCamera(const QString& name);

@@ -91,6 +91,9 @@ QualityPanel::QualityPanel(QWidget* parent)
   row(transport_, tr("State"), {});
   row(transport_, tr("Light from outside"),
       tr("Found exactly at rest; mixed from smooth skies while a slider is held"));
+  row(transport_, tr("Sky in hand"),
+      tr("Its transfer vectors at the corners of what is drawn, and what a step of the slider "
+         "takes there, where the graphics processor adds them up"));
   needed_ = section(tr("Computed"));
   skipped_ = section(tr("Not needed here"));
   auto* advanced = new QToolButton;
@@ -183,6 +186,18 @@ void QualityPanel::choose(const QString& preset) {
   scene::Quality quality = document_->scene()->quality;
   quality.preset = toStd(preset);
   setQuality(quality);
+}
+
+void QualityPanel::showSky(const SkyEvaluation::Figures& figures) {
+  using Where = SkyEvaluation::Figures::Where;
+  if (figures.where == Where::nowhere) return;  // the last step's stay
+  const QLocale locale;
+  transport_->child(5)->setText(
+      1, figures.where == Where::refused
+             ? tr("by the processor")
+             : tr("%1 MB, %2 ms")
+                   .arg(locale.toString(static_cast<double>(figures.bytes) / 1e6, 'f', 1))
+                   .arg(locale.toString(figures.milliseconds, 'f', 1)));
 }
 
 void QualityPanel::showFrame(const LightFrame& frame) {

@@ -6,6 +6,7 @@
 #include "ui/viewport/luminaire_mesh.h"
 #include "ui/viewport/outside_drawing.h"
 #include "ui/viewport/seen_surfaces.h"
+#include "ui/viewport/sky_evaluation.h"
 
 #include <memory>
 #include <vector>
@@ -23,8 +24,12 @@ class BuildingDrawing {
 
   /// What to draw from the next draw() on. Null: nothing.
   void setMesh(std::shared_ptr<const DisplayMesh> mesh);
-  /// RGB lux per vertex of the mesh; views of one building share it.
-  void setLight(std::shared_ptr<const std::vector<vec3>> lux);
+  /// RGB lux per vertex of the mesh; views of one building share it. sky: of the mesh's vertices;
+  /// it is added up where it is drawn, and lux is its rest alone.
+  void setLight(std::shared_ptr<const std::vector<vec3>> lux,
+                std::shared_ptr<const HeldSky> sky = nullptr);
+  [[nodiscard]] const std::shared_ptr<const HeldSky>& sky() const { return sky_; }
+  [[nodiscard]] SkyEvaluation& skyEvaluation() { return sky_evaluation_; }
   [[nodiscard]] const std::shared_ptr<const std::vector<vec3>>& light() const { return light_; }
   /// What is added to the illuminance of each vertex (withoutSpecks()); empty: nothing. Goes with
   /// the light, and with it.
@@ -48,6 +53,7 @@ class BuildingDrawing {
 
  private:
   void upload();
+  void uploadLight();
   void drawMesh(const glm::mat4& clip_from_scene, const GlProgram& program);
   /// Whether the picture came from what is known of the view.
   bool drawSeen(const SeenSurfaces::View& view, const vec3& background);
@@ -55,6 +61,7 @@ class BuildingDrawing {
 
   std::shared_ptr<const DisplayMesh> mesh_;
   std::shared_ptr<const std::vector<vec3>> light_;
+  std::shared_ptr<const HeldSky> sky_;
   std::vector<float> shift_;
   LuminaireMesh luminaires_;
   OutsideDrawing outside_;
@@ -69,6 +76,7 @@ class BuildingDrawing {
   bool luminaires_dirty_ = false;
   int luminaire_corners_ = 0;
   SeenSurfaces seen_;
+  SkyEvaluation sky_evaluation_;
   SeenSurfaces::View last_view_;
 
   unsigned mesh_array_ = 0;
