@@ -8,6 +8,7 @@
 #include "core/relight/outdoors.h"
 #include "core/relight/sensors.h"
 #include "core/relight/sky_transfer.h"
+#include "core/relight/sky_vectors.h"
 #include "core/relight/solver.h"
 
 #include <memory>
@@ -17,13 +18,14 @@
 
 namespace soffit::relight {
 
-/// Light under surroundings in hand, in parts for someone else to add up: rest + the sum of
-/// weights[k] * what function k of `transfer` gives; below 0 is 0.
+/// Light under surroundings in hand, in parts for someone else to add up: direct and reflected
+/// light are each the rest + the sum of weights[k] * what function k of `transfer` gives; reflected
+/// light below 0 is 0, and so is their sum.
 struct SkyParts {
   std::shared_ptr<const SkyTransfer> transfer;
-  std::vector<dvec3> weights;          ///< SkyTransfer::weights()
-  std::shared_ptr<const Planes> rest;  ///< luminaires and the brightest discs; the same object for
-                                       ///< as long as those do not change
+  std::vector<dvec3> weights;  ///< SkyTransfer::weights()
+  /// Of luminaires and the brightest discs; the same object for as long as those do not change.
+  std::shared_ptr<const SkyRest> rest;
 };
 
 /// The light of a set of luminaires in one scene, a column each: what moved is computed, what only
@@ -53,7 +55,7 @@ class Lighting {
   /// the columns is kept. Takes no rays after the first call.
   /// Errors: cancelled.
   Result<Planes> totalUnderSky(const daylight::Environment& environment, const Job& job = {});
-  /// The same in parts, for light at other places than the texels (sky_vectors.h).
+  /// The same in parts, for who can add them up more quickly (sky_vectors.h).
   Result<SkyParts> partsUnderSky(const daylight::Environment& environment, const Job& job = {});
   [[nodiscard]] const daylight::Environment* environment() const { return environment_.get(); }
   /// Direct light of the sky at the texels, RGB lux, the sun left out; empty without surroundings.
@@ -127,10 +129,10 @@ class Lighting {
                                             LightPart part) const;
   /// While surroundings are in hand: what does not change with them, or seldom.
   struct SkyHand {
-    LightSum lamps;                      ///< all luminaires
-    std::vector<daylight::Spot> spots;   ///< those that are computed exactly
-    std::vector<Column> discs;           ///< the light of each at 1 lx
-    std::shared_ptr<const Planes> rest;  ///< lamps and discs; null: not asked for
+    LightSum lamps;                       ///< all luminaires
+    std::vector<daylight::Spot> spots;    ///< those that are computed exactly
+    std::vector<Column> discs;            ///< the light of each at 1 lx
+    std::shared_ptr<const SkyRest> rest;  ///< lamps and discs; null: not asked for
     [[nodiscard]] std::vector<WeightedColumn> discLights() const;
   };
   Result<void> computeOutdoors(const Job& job);

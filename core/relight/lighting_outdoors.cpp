@@ -107,10 +107,13 @@ Result<Planes> Lighting::totalUnderSky(const daylight::Environment& environment,
 Result<SkyParts> Lighting::partsUnderSky(const daylight::Environment& environment, const Job& job) {
   if (auto held = holdSky(environment, job); !held) return held.error();
   if (sky_hand_->rest == nullptr) {
-    Planes rest;
     const WeightedSum lamps{&sky_hand_->lamps};
-    spread({&lamps, 1}, sky_hand_->discLights(), solver_->operators(), rest, LightPart::share);
-    sky_hand_->rest = std::make_shared<const Planes>(std::move(rest));
+    const std::vector<WeightedColumn> discs = sky_hand_->discLights();
+    Planes reflected;
+    spread({&lamps, 1}, discs, solver_->operators(), reflected, LightPart::unbounded);
+    Planes direct;
+    spread({&lamps, 1}, discs, solver_->operators(), direct, LightPart::direct);
+    sky_hand_->rest = std::make_shared<const SkyRest>(skyRest(reflected, direct));
   }
   return SkyParts{sky_transfer_, sky_transfer_->weights(environment), sky_hand_->rest};
 }

@@ -3755,8 +3755,8 @@
         <translation>Himmel in der Hand</translation>
     </message>
     <message>
-        <source>Its transfer vectors at the corners of what is drawn, and what a step of the slider takes there, where the graphics processor adds them up</source>
-        <translation>Seine Transfervektoren an den Ecken dessen, was gezeichnet wird, und was ein Schritt des Reglers dort kostet, wenn der Grafikprozessor sie aufsummiert</translation>
+        <source>Memory of the graphics processor and time per step of the slider, where it adds up the light of the sky</source>
+        <translation>Speicher des Grafikprozessors und Zeit je Schritt des Reglers, wo er das Licht des Himmels aufsummiert</translation>
     </message>
     <message>
         <source>by the processor</source>

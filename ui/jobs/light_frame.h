@@ -30,7 +30,7 @@ struct LightFrame {
   /// What shone in; null: nothing.
   std::shared_ptr<const daylight::Environment> outside;
   bool complete = true;  ///< false: what shines in from outside is still to come
-  /// While a slider of the surroundings is held, the light of the request's points; null: `lux`.
+  /// While a slider of the surroundings is held: what adds up to the light; null: `lux` is it.
   std::shared_ptr<const HeldSky> held;
   /// `lux` is that of an earlier step: it follows once the hand pauses. Goes with `held`.
   bool lux_late = false;

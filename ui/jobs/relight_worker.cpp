@@ -216,17 +216,16 @@ LightFrame RelightWorker::heldFrameOf(const LightRequest& request, LightColumns:
   return frame;
 }
 
-/// The light under surroundings that a slider moves, at the request's points alone; null where it
-/// is not known what they receive, or there is no earlier light to be read meanwhile.
-LightFramePtr RelightWorker::heldAtPoints(const LightRequest& request,
-                                          const std::stop_token& stop) {
+/// The light under surroundings that a slider moves, in parts; null where they are not known, or
+/// there is no earlier light to be read meanwhile.
+LightFramePtr RelightWorker::heldInParts(const LightRequest& request, const std::stop_token& stop) {
   if (held_.empty() || whole_ == nullptr) return nullptr;
   if (whole_->solver != columns_.solver()) return nullptr;
   const auto start = Clock::now();
   auto outside = heldEnvironment(request);
   const auto parts =
       columns_.partsUnder(*outside, request.layout, request.luminaires, Job{&relay_, stop});
-  if (!parts || !held_.fits(*parts, request.points)) return nullptr;
+  if (!parts || !held_.fits(*parts)) return nullptr;
   LightColumns::Answer answer;
   answer.lux = whole_->lux;
   const auto emitters = columns_.lightingOf(request.layout)->emitters();
@@ -263,10 +262,10 @@ void RelightWorker::settle(const std::stop_token& stop) {
 
 /// Whether a request was answered whose surroundings are in hand.
 bool RelightWorker::serveHeld(const LightRequest& request, const std::stop_token& stop) {
-  held_.keepFor(request.points);
+  if (!request.in_parts) held_.forget();
   unwhole_.reset();
   if (!request.outside_in_hand || !request.scene->environment) return false;
-  if (LightFramePtr quick = heldAtPoints(request, stop)) {
+  if (LightFramePtr quick = heldInParts(request, stop)) {
     publish(std::move(quick));
     return true;
   }
@@ -274,11 +273,11 @@ bool RelightWorker::serveHeld(const LightRequest& request, const std::stop_token
   if (frame == nullptr) return false;
   const auto outside = frame->outside;
   publish(std::move(frame));
-  if (request.points == nullptr) return true;
+  if (!request.in_parts) return true;
   // The next step takes less.
   const Job job{nullptr, stop};
   if (auto parts = columns_.partsUnder(*outside, request.layout, request.luminaires, job)) {
-    held_.prepare(*parts, columns_.solver()->operators(), request.points, job);
+    held_.prepare(*parts, columns_.solver()->operators(), job);
   }
   return true;
 }

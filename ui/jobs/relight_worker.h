@@ -28,9 +28,8 @@ struct LightRequest {
   std::uint64_t revision = 0;                ///< rising
   /// Surroundings that are being turned or changed: their light is mixed from columns for now.
   bool outside_in_hand = false;
-  /// Where who shows the light adds up that of surroundings in hand (LightFrame::held); null: it is
-  /// mixed at the texels.
-  std::shared_ptr<const relight::LightRows> points;
+  /// Who shows the light adds up that of surroundings in hand (LightFrame::held).
+  bool in_parts = false;
   /// Older work is given up. Not while many luminaires are dragged: each step of that takes longer
   /// than the mouse leaves, and none would ever be finished.
   bool stops_older = true;
@@ -85,8 +84,7 @@ class RelightWorker : public QObject {
   void ensureMaterials(const LightRequest& request);
   void ensureOutside(const LightRequest& request);
   bool serveHeld(const LightRequest& request, const std::stop_token& stop);
-  [[nodiscard]] LightFramePtr heldAtPoints(const LightRequest& request,
-                                           const std::stop_token& stop);
+  [[nodiscard]] LightFramePtr heldInParts(const LightRequest& request, const std::stop_token& stop);
   [[nodiscard]] LightFramePtr heldOutside(const LightRequest& request, const std::stop_token& stop);
   [[nodiscard]] std::shared_ptr<const daylight::Environment> heldEnvironment(
       const LightRequest& request) const;

@@ -21,8 +21,8 @@ class Relighting : public QObject {
   /// Whether the newest frame is the light of what the document shows now.
   [[nodiscard]] bool isCurrent() const;
   [[nodiscard]] quint64 revision() const { return revision_; }
-  /// Where light of surroundings in hand is wanted from the next step on (LightRequest::points).
-  void setPoints(std::shared_ptr<const relight::LightRows> points) { points_ = std::move(points); }
+  /// From the next step on (LightRequest::in_parts).
+  void setHeldInParts(bool in_parts) { in_parts_ = in_parts; }
 
  Q_SIGNALS:
   void frameChanged();
@@ -34,7 +34,7 @@ class Relighting : public QObject {
   RelightWorker worker_;
   LightFramePtr frame_;
   quint64 revision_ = 0;
-  std::shared_ptr<const relight::LightRows> points_;
+  bool in_parts_ = false;
   ScenePtr settled_;  ///< the scene before a preview
 };
 

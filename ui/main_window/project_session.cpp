@@ -137,11 +137,11 @@ void ProjectSession::connectView() {
   });
   // Another building, another size.
   workspace_.evaluation->setObstacle({});
-  connect(&view, &SceneView::meshChanged, this, [this] {
-    workspace_.evaluation->setObstacle({});
-    offerPoints();
-  });
-  connect(workspace_.evaluation, &EvaluationChoice::changed, this, &ProjectSession::offerPoints);
+  connect(&view, &SceneView::meshChanged, workspace_.evaluation,
+          [evaluation = workspace_.evaluation] { evaluation->setObstacle({}); });
+  const auto choose = [this] { relighting_.setHeldInParts(workspace_.evaluation->onGpu()); };
+  connect(workspace_.evaluation, &EvaluationChoice::changed, this, choose);
+  choose();
   connect(&workspace_.area->input(), &ViewInput::pointed, this,
           [this](const PointedAt& at) { workspace_.status->showReading(at.surface); });
   connect(&workspace_.area->input(), &ViewInput::surfaceClicked, this,
@@ -239,12 +239,6 @@ void ProjectSession::exportResults() {
       [this](const QString& path) { workspace_.log->addLine(tr("Wrote %1").arg(path)); });
 }
 
-/// Where the view evaluates light itself, that of surroundings in hand is wanted at its points.
-void ProjectSession::offerPoints() {
-  relighting_.setPoints(workspace_.evaluation->onGpu() ? workspace_.area->view().lightRows()
-                                                       : nullptr);
-}
-
 void ProjectSession::onFrame() {
   workspace_.quality->showFrame(*relighting_.frame());
   const bool dark = document_.luminaires().empty() && !document_.scene()->environment;
@@ -257,7 +251,6 @@ void ProjectSession::onFrame() {
     return;
   }
   workspace_.area->grid().setFrame(relighting_.frame());
-  offerPoints();  // a mesh in other colours is another mesh
   if (!document_.previewing()) {
     workspace_.view->suggestRange(color::roundRange(percentileLux(*relighting_.frame())));
   }

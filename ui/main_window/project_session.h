@@ -51,7 +51,6 @@ class ProjectSession : public QObject {
   void connectVerification();
   void showErrorMap();
   void onFrame();
-  void offerPoints();
   void placeLuminaires();
   void saveCamera();
   void updateCamera(const QString& name);

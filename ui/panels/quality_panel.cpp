@@ -92,8 +92,8 @@ QualityPanel::QualityPanel(QWidget* parent)
   row(transport_, tr("Light from outside"),
       tr("Found exactly at rest; mixed from smooth skies while a slider is held"));
   row(transport_, tr("Sky in hand"),
-      tr("Its transfer vectors at the corners of what is drawn, and what a step of the slider "
-         "takes there, where the graphics processor adds them up"));
+      tr("Memory of the graphics processor and time per step of the slider, where it adds up the "
+         "light of the sky"));
   needed_ = section(tr("Computed"));
   skipped_ = section(tr("Not needed here"));
   auto* advanced = new QToolButton;

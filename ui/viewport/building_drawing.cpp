@@ -104,11 +104,16 @@ void BuildingDrawing::setMesh(std::shared_ptr<const DisplayMesh> mesh) {
   mesh_dirty_ = true;
 }
 
-void BuildingDrawing::setLight(std::shared_ptr<const std::vector<vec3>> lux,
-                               std::shared_ptr<const HeldSky> sky) {
-  if (sky != nullptr && sky == sky_ && lux == light_) return;
-  light_ = std::move(lux);
+void BuildingDrawing::setSky(std::shared_ptr<const HeldSky> sky) {
+  if (sky == sky_) return;
   sky_ = std::move(sky);
+  shift_.clear();
+  light_dirty_ = true;
+}
+
+void BuildingDrawing::setLight(std::shared_ptr<const std::vector<vec3>> lux) {
+  light_ = std::move(lux);
+  sky_.reset();
   shift_.clear();
   light_dirty_ = true;
 }
@@ -187,10 +192,10 @@ void BuildingDrawing::upload() {
 void BuildingDrawing::uploadLight() {
   if (sky_ == nullptr) {
     sky_evaluation_.letGo();
-  } else if (sky_evaluation_.evaluate(*sky_, lux_)) {
+  } else if (sky_evaluation_.evaluate(*sky_, mesh_, lux_)) {
     return;
   }
-  const std::vector<vec3> sum = sky_ == nullptr ? std::vector<vec3>{} : evaluated(*sky_);
+  const std::vector<vec3> sum = sky_ == nullptr ? std::vector<vec3>{} : evaluated(*sky_, *mesh_);
   const std::vector<vec3>& lux = sky_ == nullptr ? *light_ : sum;
   // Four each: what pixels are shaded from is fetched in one piece.
   std::vector<glm::vec4> padded(lux.size());

@@ -24,10 +24,11 @@ class BuildingDrawing {
 
   /// What to draw from the next draw() on. Null: nothing.
   void setMesh(std::shared_ptr<const DisplayMesh> mesh);
-  /// RGB lux per vertex of the mesh; views of one building share it. sky: of the mesh's vertices;
-  /// it is added up where it is drawn, and lux is its rest alone.
-  void setLight(std::shared_ptr<const std::vector<vec3>> lux,
-                std::shared_ptr<const HeldSky> sky = nullptr);
+  /// RGB lux per vertex of the mesh; views of one building share it.
+  void setLight(std::shared_ptr<const std::vector<vec3>> lux);
+  /// Draws the light of a sky in hand in its place, until the next setLight(). Of the texels that
+  /// the mesh was cut from.
+  void setSky(std::shared_ptr<const HeldSky> sky);
   [[nodiscard]] const std::shared_ptr<const HeldSky>& sky() const { return sky_; }
   [[nodiscard]] SkyEvaluation& skyEvaluation() { return sky_evaluation_; }
   [[nodiscard]] const std::shared_ptr<const std::vector<vec3>>& light() const { return light_; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ui/viewport/display_mesh.h"
 
+#include "core/base/parallel.h"
 #include "core/color/luminance.h"
 #include "ui/viewport/chart_cutting.h"
 
@@ -303,18 +304,17 @@ DisplayMesh repainted(const DisplayMesh& mesh, std::span<const scene::Material> 
   return painted;
 }
 
-std::shared_ptr<const relight::LightRows> keptLightRows(std::shared_ptr<const DisplayMesh> mesh) {
-  struct Kept : relight::LightRows {
-    explicit Kept(std::shared_ptr<const DisplayMesh> kept)
-        : LightRows(kept->lightRows()), mesh(std::move(kept)) {}
-    std::shared_ptr<const DisplayMesh> mesh;
-  };
-  return std::make_shared<const Kept>(std::move(mesh));
-}
-
 void lightVertices(const DisplayMesh& mesh, const relight::Planes& lux, std::span<vec3> out) {
-  relight::lightPoints(mesh.lightRows(), lux, out);
-  for (vec3& light : out) light = glm::max(light, vec3(0.0F));
+  parallelFor(mesh.vertexCount(), 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      vec3 sum(0.0F);
+      for (std::uint32_t k = mesh.first[v]; k < mesh.first[v + 1]; ++k) {
+        const std::uint32_t slot = mesh.slots[k];
+        sum += mesh.weights[k] * vec3(lux[0][slot], lux[1][slot], lux[2][slot]);
+      }
+      out[v] = glm::max(sum, vec3(0.0F));
+    }
+  });
 }
 
 std::vector<float> withoutSpecks(const DisplayMesh& mesh, std::span<const vec3> lux,

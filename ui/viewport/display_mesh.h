@@ -4,7 +4,6 @@
 #include "core/design/specks.h"
 #include "core/math/box.h"
 #include "core/relight/lighting.h"
-#include "core/relight/sky_vectors.h"
 #include "core/scene/scene.h"
 #include "core/transfer/operators.h"
 
@@ -59,8 +58,6 @@ struct DisplayMesh {
   std::shared_ptr<const std::vector<std::uint8_t>> solid;
 
   [[nodiscard]] std::size_t vertexCount() const { return positions.size(); }
-  /// That light, as rows; they live as long as the mesh.
-  [[nodiscard]] relight::LightRows lightRows() const { return {first, slots, weights}; }
 };
 
 /// The indices of what an eye sees, part by part: patches within the picture that face it.
@@ -75,9 +72,6 @@ DisplayMesh makeDisplayMesh(const geometry::Mesh& mesh, const transfer::Texels& 
 
 /// The mesh with other reflectances of the same materials; maps stay.
 DisplayMesh repainted(const DisplayMesh& mesh, std::span<const scene::Material> materials);
-
-/// A mesh's rows, which keep it alive.
-std::shared_ptr<const relight::LightRows> keptLightRows(std::shared_ptr<const DisplayMesh> mesh);
 
 /// RGB lux at each vertex. out.size() == vertexCount().
 void lightVertices(const DisplayMesh& mesh, const relight::Planes& lux, std::span<vec3> out);

@@ -67,7 +67,6 @@ void SceneView::setScene(std::shared_ptr<const scene::Scene> scene) {
   frame_.reset();
   lit_from_frame_ = false;
   mesh_.reset();
-  light_rows_.reset();
   mesh_solver_.reset();
   pass().building.setMesh(nullptr);
   if (scene_ != nullptr) {
@@ -129,28 +128,21 @@ void SceneView::onMeshFinished() {
   Q_EMIT meshChanged();
 }
 
-std::shared_ptr<const relight::LightRows> SceneView::lightRows() {
-  if (mesh_ == nullptr) return nullptr;
-  // Their place in memory is as good as the mesh's name.
-  if (light_rows_ == nullptr || light_rows_->first.data() != mesh_->first.data()) {
-    light_rows_ = keptLightRows(mesh_);
-  }
-  return light_rows_;
-}
-
 SkyEvaluation::Figures SceneView::skyFigures() {
   return pass().building.skyEvaluation().figures();
 }
 
 void SceneView::lightBuilding(const LightFrame& frame) {
-  if (frame.held != nullptr && frame.held->vectors->rows()->first.data() == mesh_->first.data()) {
-    pass().building.setLight(frame.held->rest, frame.held);
-    return;
+  BuildingDrawing& building = pass().building;
+  const auto& known = building.light();
+  const bool lit = known != nullptr && known->size() == mesh_->vertexCount();
+  if (frame.held == nullptr || !lit) {
+    auto lux = std::make_shared<std::vector<vec3>>(mesh_->vertexCount());
+    lightVertices(*mesh_, frame.lux, *lux);
+    building.setLight(std::move(lux));
+    smoothLines();
   }
-  auto lux = std::make_shared<std::vector<vec3>>(mesh_->vertexCount());
-  lightVertices(*mesh_, frame.lux, *lux);
-  pass().building.setLight(std::move(lux));
-  smoothLines();
+  if (frame.held != nullptr) building.setSky(frame.held);
 }
 
 /// In a drag there are better things to do: specks come and go with the light there.
@@ -169,7 +161,8 @@ void SceneView::setFrameOf(SceneView& other) {
     return;
   }
   frame_ = other.frame_;
-  pass().building.setLight(other.pass().building.light(), other.pass().building.sky());
+  pass().building.setLight(other.pass().building.light());
+  pass().building.setSky(other.pass().building.sky());
   pass().building.setShift(other.pass().building.shift());
   lit_from_frame_ = true;
   light_pending_ = true;

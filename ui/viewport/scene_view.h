@@ -109,8 +109,6 @@ class SceneView : public VtkView {
   [[nodiscard]] const std::shared_ptr<const relight::Solver>& meshSolver() const {
     return mesh_solver_;
   }
-  /// Where the mesh takes its light from, for LightRequest::points; null before there is a mesh.
-  [[nodiscard]] std::shared_ptr<const relight::LightRows> lightRows();
   /// How the light of surroundings in hand was added up last.
   [[nodiscard]] SkyEvaluation::Figures skyFigures();
   [[nodiscard]] bool isMoving() const { return moving_; }
@@ -171,7 +169,6 @@ class SceneView : public VtkView {
   std::shared_ptr<const DisplayMesh> mesh_;
   std::shared_ptr<const relight::Solver> mesh_solver_;
   DisplayMeshJob mesh_job_;
-  std::shared_ptr<const relight::LightRows> light_rows_;  ///< of mesh_, once asked for
   std::unique_ptr<GizmoActor> gizmo_;
   std::unique_ptr<OutlineActor> selected_outline_;
   std::unique_ptr<OutlineActor> hovered_outline_;

@@ -41,13 +41,10 @@ class SkyEvaluationTest : public QObject {
     view_->show();
     QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
     QSignalSpy shown(view_.get(), &SceneView::lightShown);
-    auto dark = std::make_shared<LightFrame>();
-    dark->solver = solver_;
-    dark->lux = lighting_->total();
-    view_->setFrame(dark);
+    view_->setFrame(dark());
     QTRY_VERIFY_WITH_TIMEOUT(!shown.isEmpty(), 20000);
-    QVERIFY(view_->lightRows() != nullptr);
-    QCOMPARE(view_->lightRows(), view_->lightRows());
+    // Each sky has transfer vectors of its own lighting.
+    held_.forget();
   }
   void cleanup() {
     view_.reset();
@@ -78,7 +75,7 @@ class SkyEvaluationTest : public QObject {
                               .ground_reflectance = ground}});
     }
     QCOMPARE(view_->skyFigures().where, SkyEvaluation::Figures::Where::gpu);
-    QCOMPARE(view_->skyFigures().bytes, 144 * view_->lightRows()->points());
+    QVERIFY(view_->skyFigures().bytes > 192 * solver_->operators().texels.slotCount());
     QVERIFY(view_->skyFigures().milliseconds > 0.0);
   }
 
@@ -134,6 +131,12 @@ class SkyEvaluationTest : public QObject {
   }
 
  private:
+  LightFramePtr dark() {
+    auto frame = std::make_shared<LightFrame>();
+    frame->solver = solver_;
+    for (auto& plane : frame->lux) plane.assign(solver_->operators().texels.slotCount(), 0.0F);
+    return frame;
+  }
   LightFramePtr wholeFrame(const scene::Environment& environment) {
     auto frame = std::make_shared<LightFrame>();
     frame->solver = solver_;
@@ -144,10 +147,8 @@ class SkyEvaluationTest : public QObject {
   LightFramePtr heldFrame(const scene::Environment& environment) {
     const auto parts = lighting_->partsUnderSky(daylight::Environment(environment));
     if (!parts) return nullptr;
-    held_.prepare(*parts, solver_->operators(), view_->lightRows(), {});
-    auto frame = std::make_shared<LightFrame>();
-    frame->solver = solver_;
-    for (auto& plane : frame->lux) plane.assign(solver_->operators().texels.slotCount(), 0.0F);
+    held_.prepare(*parts, solver_->operators(), {});
+    auto frame = std::make_shared<LightFrame>(*dark());
     frame->held = held_.step(*parts);
     frame->complete = false;
     frame->lux_late = true;
@@ -175,6 +176,13 @@ class SkyEvaluationTest : public QObject {
     }
     return most;
   }
+  static double meanCode(const QImage& picture) {
+    double sum = 0.0;
+    for (int y = 0; y < picture.height(); ++y) {
+      for (int x = 0; x < 3 * picture.width(); ++x) sum += picture.constScanLine(y)[x];
+    }
+    return sum / (3.0 * picture.width() * picture.height());
+  }
   void compare(const scene::Environment& environment) {
     scene::Scene scene = project_.scene;
     scene.environment = environment;
@@ -185,9 +193,13 @@ class SkyEvaluationTest : public QObject {
     QVERIFY(view_->setLook(lookFor(*whole)).ok());
     for (const bool seen : {false, true}) {
       const QImage wanted = pictureOf(whole, seen);
+      // Light that stayed from before would be none.
+      const QImage black = pictureOf(dark(), true);
+      QVERIFY(meanCode(black) < 0.8 * meanCode(wanted));
       const QImage found = pictureOf(held, seen);
       QCOMPARE(found.size(), QSize(kWide, kHigh));
-      QVERIFY2(wanted.pixelColor(kWide / 2, kHigh - 20).green() > 30, "the picture is black");
+      const double grey = meanCode(wanted);
+      QVERIFY2(grey > 60.0 && grey < 200.0, qPrintable(QString::number(grey)));
       const int most = mostDifference(wanted, found);
       QVERIFY2(most <= 1, qPrintable(QString::number(most)));
     }
