@@ -133,7 +133,7 @@ void addTo(LightSum& sum, const WeightedColumn& light, const transfer::Operators
 
 void spread(std::span<const WeightedSum> sums, std::span<const WeightedColumn> columns,
             const transfer::Operators& operators, Planes& lux, LightPart part) {
-  const Reflected reflected = together(sums, columns);
+  const Reflected reflected = part == LightPart::direct ? Reflected{} : together(sums, columns);
   const auto& clusters = operators.texels.receivers.clusters;
   for (auto& plane : lux) plane.resize(operators.texels.slotCount());
   parallelFor(clusters.size(), 8, [&](std::size_t begin, std::size_t end) {
@@ -144,9 +144,11 @@ void spread(std::span<const WeightedSum> sums, std::span<const WeightedColumn> c
       for (float* plane : light) std::fill_n(plane, slots, 0.0F);
       interpolate(reflected.skeleton, reflected.node, operators, i, light);
       for (float* plane : light) {
+        if (part == LightPart::unbounded) continue;
         for (std::size_t s = 0; s < slots; ++s) plane[s] = std::max(plane[s], 0.0F);
       }
-      if (part == LightPart::all) addDirect(sums, columns, clusters[i], i, light);
+      if (part == LightPart::all || part == LightPart::direct)
+        addDirect(sums, columns, clusters[i], i, light);
     }
   });
   const auto& from = operators.fill_from;

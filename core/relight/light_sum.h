@@ -30,8 +30,9 @@ struct WeightedSum {
   dvec3 factor{1.0};
 };
 
-/// What spread() leaves out.
-enum class LightPart : std::uint8_t { all, reflected };
+/// What spread() gives. unbounded: reflected light as it is interpolated, below 0 too: a part of a
+/// larger sum.
+enum class LightPart : std::uint8_t { all, reflected, direct, unbounded };
 
 /// Darkness.
 [[nodiscard]] LightSum noLight(const transfer::Operators& operators);

@@ -86,7 +86,7 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
   }
   emitters_ = std::move(emitters);
   entries_ = std::move(entries);
-  lamps_.reset();
+  sky_hand_.reset();
   outdoors_stale_ = outdoors_stale_ || !keep;
   if (outdoors_stale_) {
     sky_transfer_.reset();
@@ -106,7 +106,7 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
 Result<void> Lighting::repaint(std::shared_ptr<const Solver> solver, const Job& job) {
   solver_ = std::move(solver);
   sky_transfer_.reset();
-  lamps_.reset();
+  sky_hand_.reset();
   letGo();
   const std::vector<float> open = openShare();
   for (Entry& entry : entries_) entry.ready = false;
@@ -163,7 +163,7 @@ std::optional<Planes> Lighting::reflectedUnder(const Solver& painted, const Plan
 void Lighting::setMix(std::size_t i, double gain, const dvec3& color) {
   emitters_[i].gain = gain;
   emitters_[i].color = color;
-  lamps_.reset();
+  sky_hand_.reset();
   if (gain > 0.0 && !entries_[i].ready) compute(i);
 }
 

@@ -8,6 +8,7 @@
 #include "core/relight/outdoors.h"
 #include "core/relight/sensors.h"
 #include "core/relight/sky_transfer.h"
+#include "core/relight/sky_vectors.h"
 #include "core/relight/solver.h"
 
 #include <memory>
@@ -16,6 +17,16 @@
 #include <vector>
 
 namespace soffit::relight {
+
+/// Light under surroundings in hand, in parts for someone else to add up: direct and reflected
+/// light are each the rest + the sum of weights[k] * what function k of `transfer` gives; reflected
+/// light below 0 is 0, and so is their sum.
+struct SkyParts {
+  std::shared_ptr<const SkyTransfer> transfer;
+  std::vector<dvec3> weights;  ///< SkyTransfer::weights()
+  /// Of luminaires and the brightest discs; the same object for as long as those do not change.
+  std::shared_ptr<const SkyRest> rest;
+};
 
 /// The light of a set of luminaires in one scene, a column each: what moved is computed, what only
 /// changed its dimming, colour or switch is mixed again (design.md § 1).
@@ -44,6 +55,8 @@ class Lighting {
   /// the columns is kept. Takes no rays after the first call.
   /// Errors: cancelled.
   Result<Planes> totalUnderSky(const daylight::Environment& environment, const Job& job = {});
+  /// The same in parts, for who can add them up more quickly (sky_vectors.h).
+  Result<SkyParts> partsUnderSky(const daylight::Environment& environment, const Job& job = {});
   [[nodiscard]] const daylight::Environment* environment() const { return environment_.get(); }
   /// Direct light of the sky at the texels, RGB lux, the sun left out; empty without surroundings.
   [[nodiscard]] const Planes& skyDirect() const { return outdoors_.sky; }
@@ -114,7 +127,17 @@ class Lighting {
   void compute(std::size_t i);
   [[nodiscard]] std::optional<Planes> under(const Solver& painted, const Planes& thrown,
                                             LightPart part) const;
+  /// While surroundings are in hand: what does not change with them, or seldom.
+  struct SkyHand {
+    LightSum lamps;                       ///< all luminaires
+    std::vector<daylight::Spot> spots;    ///< those that are computed exactly
+    std::vector<Column> discs;            ///< the light of each at 1 lx
+    std::shared_ptr<const SkyRest> rest;  ///< lamps and discs; null: not asked for
+    [[nodiscard]] std::vector<WeightedColumn> discLights() const;
+  };
   Result<void> computeOutdoors(const Job& job);
+  Result<void> holdSky(const daylight::Environment& environment, const Job& job);
+  Result<void> holdSpots(std::vector<daylight::Spot> spots, const Job& job);
   /// The entry whose column is the light of this emitter, entries_.size() for none.
   [[nodiscard]] std::size_t columnFor(const light::Emitter& emitter, std::size_t at) const;
   [[nodiscard]] std::vector<light::MaskBlocker> otherBodies(std::size_t i) const;
@@ -134,7 +157,7 @@ class Lighting {
   std::shared_ptr<const daylight::Environment> environment_;
   Outdoors outdoors_;
   std::shared_ptr<const SkyTransfer> sky_transfer_;  ///< null: not asked for
-  std::optional<LightSum> lamps_;                    ///< all luminaires, while a sky is in hand
+  std::optional<SkyHand> sky_hand_;                  ///< nothing: luminaires have changed since
   bool outdoors_stale_ = false;      ///< bodies shade the sun otherwise than outdoors_ has it
   std::vector<std::size_t> hand_;    ///< luminaires in hand
   std::vector<std::size_t> moving_;  ///< those whose light a move may change

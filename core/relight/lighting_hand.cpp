@@ -52,7 +52,7 @@ std::vector<Box> Lighting::takeBodies(std::span<const light::Emitter> emitters) 
 
 StageTimes Lighting::move(std::span<const light::Emitter> emitters, light::DirectCounts* counts) {
   StageTimes times;
-  lamps_.reset();
+  sky_hand_.reset();
   const std::vector<Box> changed = takeBodies(emitters);
   if (!changed.empty()) {
     outdoors_stale_ = true;

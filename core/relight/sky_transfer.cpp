@@ -154,6 +154,24 @@ std::vector<WeightedColumn> SkyTransfer::mix(const daylight::Environment& enviro
   return out;
 }
 
+std::vector<dvec3> SkyTransfer::weights(const daylight::Environment& environment) const {
+  std::vector<dvec3> out = evenCoefficients(environment, bands_, true);
+  std::vector<dvec3> below = evenCoefficients(environment, whole_ ? bands_ : 1, false);
+  // y_00 is a constant too, but not 1.
+  out[0] *= bound(0);
+  below[0] *= bound(0);
+  out.insert(out.end(), below.begin(), below.end());
+  return out;
+}
+
+std::vector<WeightedColumn> SkyTransfer::function(std::size_t k) const {
+  const Hemisphere& half = k < upper_.columns.size() ? upper_ : lower_;
+  const std::size_t own = k < upper_.columns.size() ? k : k - upper_.columns.size();
+  std::vector<WeightedColumn> out{{&half.columns[own], dvec3(1.0)}};
+  if (own > 0) out.push_back({&half.columns[0], dvec3(-bound(evenHarmonics(bands_)[own].l))});
+  return out;
+}
+
 std::size_t SkyTransfer::bytes() const {
   std::size_t sum = 0;
   for (const Hemisphere* half : {&upper_, &lower_}) {

@@ -55,6 +55,16 @@ class SkyTransfer {
   }
   /// What smooth surroundings mix from the columns. They live as long as this.
   [[nodiscard]] std::vector<WeightedColumn> mix(const daylight::Environment& environment) const;
+  /// The same as weights of the functions themselves, RGB, where light below 0 does no harm: the
+  /// constant 1 and y_lm of the upper hemisphere, then of the lower one. Small ones: mix() gives
+  /// the constants what it takes to lift all others above 0, and takes it back.
+  [[nodiscard]] std::vector<dvec3> weights(const daylight::Environment& environment) const;
+  [[nodiscard]] std::size_t upperCount() const { return upper_.columns.size(); }
+  [[nodiscard]] std::size_t functionCount() const {
+    return upper_.columns.size() + lower_.columns.size();
+  }
+  /// Function k as a mix of columns, which live as long as this.
+  [[nodiscard]] std::vector<WeightedColumn> function(std::size_t k) const;
   /// The discs that mix() leaves out: the brightest.
   [[nodiscard]] static std::vector<daylight::Spot> exactSpots(
       const daylight::Environment& environment);

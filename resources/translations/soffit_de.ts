@@ -1372,6 +1372,37 @@
     </message>
 </context>
 <context>
+    <name>soffit::ui::EvaluationChoice</name>
+    <message>
+        <source>GPU</source>
+        <translation>GPU</translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation>CPU</translation>
+    </message>
+    <message>
+        <source>Light in the views is evaluated by the processor, as chosen in the View menu.</source>
+        <translation>Das Licht in den Ansichten wird vom Prozessor ausgewertet, wie im Menü Ansicht gewählt.</translation>
+    </message>
+    <message>
+        <source>Light in the views is evaluated by the processor: %1.</source>
+        <translation>Das Licht in den Ansichten wird vom Prozessor ausgewertet: %1.</translation>
+    </message>
+    <message>
+        <source>Light in the views is evaluated by shaders on %1, as chosen in the View menu.</source>
+        <translation>Das Licht in den Ansichten wird von Shadern auf %1 ausgewertet, wie im Menü Ansicht gewählt.</translation>
+    </message>
+    <message>
+        <source>Light in the views is evaluated by the processor: there is no graphics processor, pictures are drawn by a program (%1).</source>
+        <translation>Das Licht in den Ansichten wird vom Prozessor ausgewertet: Es gibt keinen Grafikprozessor, Bilder zeichnet ein Programm (%1).</translation>
+    </message>
+    <message>
+        <source>Light in the views is evaluated by shaders on the graphics processor (%1).</source>
+        <translation>Das Licht in den Ansichten wird von Shadern auf dem Grafikprozessor ausgewertet (%1).</translation>
+    </message>
+</context>
+<context>
     <name>soffit::ui::FinishFields</name>
     <message>
         <source>automatic</source>
@@ -3048,6 +3079,30 @@
         <source>What shiny surfaces reflect, following every move; without them the view is a little quicker</source>
         <translation>Was glänzende Flächen spiegeln, bei jeder Bewegung; ohne sie ist die Ansicht etwas schneller</translation>
     </message>
+    <message>
+        <source>Which processor evaluates light in the views; pictures are the same</source>
+        <translation>Welcher Prozessor das Licht in den Ansichten auswertet; die Bilder sind dieselben</translation>
+    </message>
+    <message>
+        <source>&amp;Automatic</source>
+        <translation>&amp;Automatisch</translation>
+    </message>
+    <message>
+        <source>By shaders where there is a graphics processor</source>
+        <translation>Durch Shader, wo es einen Grafikprozessor gibt</translation>
+    </message>
+    <message>
+        <source>&amp;Processor</source>
+        <translation>&amp;Prozessor</translation>
+    </message>
+    <message>
+        <source>&amp;Graphics processor</source>
+        <translation>&amp;Grafikprozessor</translation>
+    </message>
+    <message>
+        <source>&amp;Evaluation</source>
+        <translation>A&amp;uswertung</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::MakingLuminous</name>
@@ -3504,6 +3559,10 @@
         <source>Light from outside was left out; any change of it computes it again</source>
         <translation>Das Licht von außen wurde weggelassen; jede Änderung daran berechnet es neu</translation>
     </message>
+    <message>
+        <source>the transfer vectors of this building do not fit into the graphics processor</source>
+        <translation>die Transfervektoren dieses Gebäudes passen nicht in den Grafikprozessor</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::QualityPanel</name>
@@ -3710,6 +3769,22 @@
     <message>
         <source>%1 places, %2 ms</source>
         <translation>%1 Stellen, %2 ms</translation>
+    </message>
+    <message>
+        <source>Sky in hand</source>
+        <translation>Himmel in der Hand</translation>
+    </message>
+    <message>
+        <source>Memory of the graphics processor and time per step of the slider, where it adds up the light of the sky</source>
+        <translation>Speicher des Grafikprozessors und Zeit je Schritt des Reglers, wo er das Licht des Himmels aufsummiert</translation>
+    </message>
+    <message>
+        <source>by the processor</source>
+        <translation>vom Prozessor</translation>
+    </message>
+    <message>
+        <source>%1 MB, %2 ms</source>
+        <translation>%1 MB, %2 ms</translation>
     </message>
 </context>
 <context>

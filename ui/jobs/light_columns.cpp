@@ -62,13 +62,29 @@ bool LightColumns::lacksOutside(const std::string& layout) const {
   return !found && outside_ != nullptr && !solver_->knowsSkyLight(outside_.get());
 }
 
+/// The entry of a layout whose light is known and that of these luminaires; null: none.
+LightColumns::Entry* LightColumns::unchanged(const std::string& layout,
+                                             const std::vector<light::Luminaire>& luminaires) {
+  const auto entry = std::ranges::find(entries_, layout, &Entry::layout);
+  if (entry == entries_.end() || entry->half_painted) return nullptr;
+  if (&entry->lighting->solver() != solver_.get()) return nullptr;
+  return scene::sameList(entry->luminaires, luminaires) ? &*entry : nullptr;
+}
+
+std::optional<relight::SkyParts> LightColumns::partsUnder(
+    const daylight::Environment& outside, const std::string& layout,
+    const std::vector<light::Luminaire>& luminaires, const Job& job) {
+  Entry* entry = unchanged(layout, luminaires);
+  if (entry == nullptr) return std::nullopt;
+  auto parts = entry->lighting->partsUnderSky(outside, job);
+  return parts ? std::optional(std::move(*parts)) : std::nullopt;
+}
+
 std::optional<LightColumns::Answer> LightColumns::lightUnder(
     const daylight::Environment& outside, const std::string& layout,
     const std::vector<light::Luminaire>& luminaires, const Job& job) {
-  const auto entry = std::ranges::find(entries_, layout, &Entry::layout);
-  if (entry == entries_.end() || entry->half_painted) return std::nullopt;
-  if (&entry->lighting->solver() != solver_.get()) return std::nullopt;
-  if (!scene::sameList(entry->luminaires, luminaires)) return std::nullopt;
+  Entry* entry = unchanged(layout, luminaires);
+  if (entry == nullptr) return std::nullopt;
   auto total = entry->lighting->totalUnderSky(outside, job);
   if (!total) return std::nullopt;
   Answer answer;

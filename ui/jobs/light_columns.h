@@ -52,6 +52,11 @@ class LightColumns {
   /// moves (relight::Lighting::totalUnderSky()). Nothing where the layout's light is not known.
   std::optional<Answer> lightUnder(const daylight::Environment& outside, const std::string& layout,
                                    const std::vector<light::Luminaire>& luminaires, const Job& job);
+  /// The same in parts (relight::Lighting::partsUnderSky()).
+  std::optional<relight::SkyParts> partsUnder(const daylight::Environment& outside,
+                                              const std::string& layout,
+                                              const std::vector<light::Luminaire>& luminaires,
+                                              const Job& job);
 
   /// The layout whose light is never dropped for that of another: the one in the view.
   void keep(const std::string& layout) { kept_ = layout; }
@@ -77,6 +82,7 @@ class LightColumns {
     std::vector<bool> changed;  ///< since the sums were made
   };
   Entry& entryOf(const std::string& layout);
+  Entry* unchanged(const std::string& layout, const std::vector<light::Luminaire>& luminaires);
   static bool onlyMoved(const Entry& entry, const std::vector<light::Luminaire>& luminaires,
                         const std::vector<std::size_t>& in_hand);
   Result<void> moveHand(Entry& entry, const std::vector<light::Luminaire>& luminaires,

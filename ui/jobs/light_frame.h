@@ -8,6 +8,7 @@
 #include "core/relight/lighting.h"
 #include "core/render/lit_probes.h"
 #include "core/scene/scene.h"
+#include "ui/jobs/held_sky.h"
 
 #include <cstdint>
 #include <memory>
@@ -32,11 +33,15 @@ struct LightFrame {
   /// What specular surfaces reflect of this light; null: nothing does, or it is still to come.
   std::shared_ptr<const render::LitProbes> reflections;
   double reflections_ms = 0.0;  ///< of the light's milliseconds
-  bool complete = true;         ///< false: what shines in from outside is still to come
-  std::uint64_t revision = 0;   ///< of the request that it answers
-  relight::StageTimes times;    ///< of a move; zero otherwise
-  light::DirectCounts counts;   ///< of a move; zero otherwise
-  double milliseconds = 0.0;    ///< from taking up the request to the planes
+  bool complete = true;  ///< false: what shines in from outside is still to come
+  /// While a slider of the surroundings is held: what adds up to the light; null: `lux` is it.
+  std::shared_ptr<const HeldSky> held;
+  /// `lux` is that of an earlier step: it follows once the hand pauses. Goes with `held`.
+  bool lux_late = false;
+  std::uint64_t revision = 0;  ///< of the request that it answers
+  relight::StageTimes times;   ///< of a move; zero otherwise
+  light::DirectCounts counts;  ///< of a move; zero otherwise
+  double milliseconds = 0.0;   ///< from taking up the request to the planes
 };
 using LightFramePtr = std::shared_ptr<const LightFrame>;
 

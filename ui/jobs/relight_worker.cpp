@@ -11,6 +11,9 @@
 namespace soffit::ui {
 namespace {
 
+/// A hand that rests so long on a slider wants to read what it sees.
+constexpr std::chrono::milliseconds kPause{60};
+
 double millisecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
       .count();
@@ -58,14 +61,6 @@ void RelightWorker::cancelBake() {
   if (bake_ != nullptr) bake_->cancel();
 }
 
-void RelightWorker::setReflections(bool on) {
-  {
-    const std::scoped_lock lock(mutex_);
-    reflects_ = on;
-  }
-  wake_.notify_all();
-}
-
 LightFramePtr RelightWorker::takeFrame() {
   const std::scoped_lock lock(mutex_);
   return std::exchange(frame_, nullptr);
@@ -85,6 +80,8 @@ LightFramePtr RelightWorker::takeOther() {
 }
 
 void RelightWorker::publish(LightFramePtr frame) {
+  (frame->lux_late ? unwhole_ : whole_) = frame;
+  if (!frame->lux_late) unwhole_.reset();
   {
     const std::scoped_lock lock(mutex_);
     frame_ = std::move(frame);
@@ -128,11 +125,24 @@ void RelightWorker::run(const std::stop_token& stop) {
     bool reflects = false;
     {
       std::unique_lock lock(mutex_);
-      wake_.wait(lock, stop, [this] {
+      const auto wanted = [this] {
         return newest_.has_value() || arrived_.has_value() || leave_out_ || lacksReflections() ||
                (has_solver_ && other_.has_value());
-      });
+      };
+      bool pause = false;
+      if (unwhole_ != nullptr) {
+        pause = !wake_.wait_for(lock, stop, kPause, wanted);
+      } else {
+        wake_.wait(lock, stop, wanted);
+      }
       if (stop.stop_requested()) return;
+      if (pause) {
+        current_ = std::stop_source();
+        give_up = current_.get_token();
+        lock.unlock();
+        settle(give_up);
+        continue;
+      }
       if (std::exchange(leave_out_, false)) {
         columns_.setOutside(nullptr);
         Q_EMIT outsideLeftOut();
@@ -144,6 +154,7 @@ void RelightWorker::run(const std::stop_token& stop) {
       if (newest_) last_ = std::exchange(newest_, std::nullopt);
       if (arrived_) {
         columns_.setSolver(arrived_->solver);
+        held_.forget();
         materials_ = arrived_->scene->materials;
         arrived_.reset();
       }
@@ -160,20 +171,13 @@ void RelightWorker::run(const std::stop_token& stop) {
   }
 }
 
-bool RelightWorker::lacksReflections() const {
-  return reflects_ && has_solver_ && last_ && !columns_.solver()->operators().coarse &&
-         reflections_.lacks(*columns_.solver(), *last_->scene);
-}
-
-void RelightWorker::makeReflections(const std::stop_token& stop) {
-  reflections_.make(columns_.solver(), last_->scene, Job{nullptr, stop});
-}
-
 void RelightWorker::ensureBake(const LightRequest& request) {
   const std::scoped_lock lock(bake_mutex_);
   if (bake_ != nullptr && bake_->serves(*request.scene)) return;
   bake_.reset();
   columns_.setSolver(nullptr);
+  held_.forget();
+  whole_.reset();
   {
     // What the older one handed over in its last moment belongs to another building.
     const std::scoped_lock arrival(mutex_);
@@ -201,21 +205,86 @@ void RelightWorker::ensureOutside(const LightRequest& request) {
              : nullptr);
 }
 
+std::shared_ptr<const daylight::Environment> RelightWorker::heldEnvironment(
+    const LightRequest& request) const {
+  return std::make_shared<const daylight::Environment>(*request.scene->environment,
+                                                       columns_.outside().get());
+}
+
+LightFrame RelightWorker::heldFrameOf(const LightRequest& request, LightColumns::Answer answer,
+                                      std::shared_ptr<const daylight::Environment> outside,
+                                      Clock::time_point start) {
+  LightFrame frame = frameOf(request, std::move(answer), start);
+  frame.outside = std::move(outside);
+  frame.complete = false;
+  frame.shares = shares_.last(request.probes, request.layout);
+  return frame;
+}
+
+/// The light under surroundings that a slider moves, in parts; null where they are not known, or
+/// there is no earlier light to be read meanwhile.
+LightFramePtr RelightWorker::heldInParts(const LightRequest& request, const std::stop_token& stop) {
+  if (held_.empty() || whole_ == nullptr) return nullptr;
+  if (whole_->solver != columns_.solver()) return nullptr;
+  const auto start = Clock::now();
+  auto outside = heldEnvironment(request);
+  const auto parts =
+      columns_.partsUnder(*outside, request.layout, request.luminaires, Job{&relay_, stop});
+  if (!parts || !held_.fits(*parts)) return nullptr;
+  LightColumns::Answer answer;
+  answer.lux = whole_->lux;
+  const auto emitters = columns_.lightingOf(request.layout)->emitters();
+  answer.emitters.assign(emitters.begin(), emitters.end());
+  LightFrame frame = heldFrameOf(request, std::move(answer), std::move(outside), start);
+  frame.held = held_.step(*parts);
+  frame.lux_late = true;
+  frame.milliseconds = millisecondsSince(start);
+  return std::make_shared<const LightFrame>(std::move(frame));
+}
+
 /// The light under surroundings that a slider moves; null where it cannot be mixed.
 LightFramePtr RelightWorker::heldOutside(const LightRequest& request, const std::stop_token& stop) {
-  if (!request.outside_in_hand || !request.scene->environment) return nullptr;
   const auto start = Clock::now();
-  auto outside = std::make_shared<const daylight::Environment>(*request.scene->environment,
-                                                               columns_.outside().get());
+  auto outside = heldEnvironment(request);
   auto answer =
       columns_.lightUnder(*outside, request.layout, request.luminaires, Job{&relay_, stop});
   Q_EMIT lightFinished();
   if (!answer) return nullptr;
-  LightFrame frame = frameOf(request, std::move(*answer), start);
-  frame.outside = std::move(outside);
-  frame.complete = false;
-  frame.shares = shares_.last(request.probes, request.layout);
-  return std::make_shared<const LightFrame>(std::move(frame));
+  return std::make_shared<const LightFrame>(
+      heldFrameOf(request, std::move(*answer), std::move(outside), start));
+}
+
+/// The hand pauses: what is shown gets its own lux.
+void RelightWorker::settle(const std::stop_token& stop) {
+  const LightFramePtr shown = std::exchange(unwhole_, nullptr);
+  LightFramePtr whole = heldOutside(*last_, stop);
+  if (whole == nullptr) return;
+  LightFrame frame = *whole;
+  frame.held = shown->held;
+  frame.milliseconds = shown->milliseconds;
+  publish(std::make_shared<const LightFrame>(std::move(frame)));
+}
+
+/// Whether a request was answered whose surroundings are in hand.
+bool RelightWorker::serveHeld(const LightRequest& request, const std::stop_token& stop) {
+  if (!request.in_parts) held_.forget();
+  unwhole_.reset();
+  if (!request.outside_in_hand || !request.scene->environment) return false;
+  if (LightFramePtr quick = heldInParts(request, stop)) {
+    publish(std::move(quick));
+    return true;
+  }
+  LightFramePtr frame = heldOutside(request, stop);
+  if (frame == nullptr) return false;
+  const auto outside = frame->outside;
+  publish(std::move(frame));
+  if (!request.in_parts) return true;
+  // The next step takes less.
+  const Job job{nullptr, stop};
+  if (auto parts = columns_.partsUnder(*outside, request.layout, request.luminaires, job)) {
+    held_.prepare(*parts, columns_.solver()->operators(), job);
+  }
+  return true;
 }
 
 /// Where nothing is shown yet, the luminaires' light comes before that from outside.
@@ -288,10 +357,7 @@ void RelightWorker::serve(const LightRequest& request, const std::stop_token& st
   if (!has_solver_) return;  // its arrival wakes this thread
   ensureMaterials(request);
   columns_.keep(request.layout);
-  if (LightFramePtr frame = heldOutside(request, stop)) {
-    publish(std::move(frame));
-    return;
-  }
+  if (serveHeld(request, stop)) return;
   ensureOutside(request);
   const auto start = Clock::now();
   if (auto painted = columns_.paintedLight(request.layout, request.luminaires)) {

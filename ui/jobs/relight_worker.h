@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/document/scene_command.h"
+#include "ui/jobs/held_sky.h"
 #include "ui/jobs/light_columns.h"
 #include "ui/jobs/light_frame.h"
 #include "ui/jobs/live_reflections.h"
@@ -28,6 +29,8 @@ struct LightRequest {
   std::uint64_t revision = 0;                ///< rising
   /// Surroundings that are being turned or changed: their light is mixed from columns for now.
   bool outside_in_hand = false;
+  /// Who shows the light adds up that of surroundings in hand (LightFrame::held).
+  bool in_parts = false;
   /// Older work is given up. Not while many luminaires are dragged: each step of that takes longer
   /// than the mouse leaves, and none would ever be finished.
   bool stops_older = true;
@@ -83,13 +86,21 @@ class RelightWorker : public QObject {
   void ensureBake(const LightRequest& request);
   void ensureMaterials(const LightRequest& request);
   void ensureOutside(const LightRequest& request);
+  bool serveHeld(const LightRequest& request, const std::stop_token& stop);
+  [[nodiscard]] LightFramePtr heldInParts(const LightRequest& request, const std::stop_token& stop);
   [[nodiscard]] LightFramePtr heldOutside(const LightRequest& request, const std::stop_token& stop);
+  [[nodiscard]] std::shared_ptr<const daylight::Environment> heldEnvironment(
+      const LightRequest& request) const;
+  void settle(const std::stop_token& stop);
   void serveWithoutOutside(const LightRequest& request, const std::stop_token& stop);
   void onSolver(Result<SolverBake::Outcome> outcome);
   void publish(LightFramePtr frame);
   /// Whether reflections are to be made ready when nothing else is to do.
   [[nodiscard]] bool lacksReflections() const;
   void makeReflections(const std::stop_token& stop);
+  [[nodiscard]] LightFrame heldFrameOf(const LightRequest& request, LightColumns::Answer answer,
+                                       std::shared_ptr<const daylight::Environment> outside,
+                                       Clock::time_point start);
 
   const bool use_cache_;
   ProgressRelay relay_;
@@ -110,6 +121,9 @@ class RelightWorker : public QObject {
   LightColumns columns_;
   ProbeShares shares_;
   LiveReflections reflections_;
+  HeldSkies held_;
+  LightFramePtr whole_;    ///< the newest that was published with its own lux
+  LightFramePtr unwhole_;  ///< the newest that was published if its lux is late
   std::vector<scene::Material> materials_;
   std::optional<LightRequest> last_;
   std::optional<scene::Environment> outside_;  ///< that columns_ has, as it was described

@@ -52,6 +52,7 @@ void Relighting::request() {
   request.layout = toStd(document_.layout());
   request.luminaires = document_.litLuminaires();
   request.probes = document_.probes();
+  request.in_parts = in_parts_;
   request.revision = ++revision_;
   if (!document_.previewing()) settled_ = document_.scene();
   request.outside_in_hand = document_.previewing() && !sameOutside(*settled_, *document_.scene());

@@ -24,6 +24,8 @@ class Relighting : public QObject {
   /// The user's setting: whether light comes with what specular surfaces reflect of it.
   [[nodiscard]] static bool reflectionsWanted();
   void setReflections(bool wanted);
+  /// From the next step on (LightRequest::in_parts).
+  void setHeldInParts(bool in_parts) { in_parts_ = in_parts; }
 
  Q_SIGNALS:
   void frameChanged();
@@ -35,6 +37,7 @@ class Relighting : public QObject {
   RelightWorker worker_;
   LightFramePtr frame_;
   quint64 revision_ = 0;
+  bool in_parts_ = false;
   ScenePtr settled_;  ///< the scene before a preview
 };
 

@@ -54,6 +54,7 @@ class MainWindow : public QMainWindow {
   void addThemes(QMenu& menu);
   void addLanguages(QMenu& menu);
   void addUnits(QMenu& menu);
+  void addEvaluations(QMenu& menu);
   void makeInsertMenu();
   void place(const LuminaireType& type);
   void placeFromPhotometry();

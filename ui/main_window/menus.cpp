@@ -84,6 +84,7 @@ void MainWindow::makeViewMenu() {
   forProject(addEntry(menu, {tr("&Darker"), QKeySequence(tr("Ctrl+Down")), {}, "Darker"}, this,
                       [this] { workspace_.view->stepExposure(-0.25); }));
   menu.addSeparator();
+  addEvaluations(named(menu.addMenu(tr("&Evaluation")), "Evaluation"));
   addUnits(named(menu.addMenu(tr("&Units")), "Units"));
   addThemes(named(menu.addMenu(tr("&Theme")), "Theme"));
   addLanguages(named(menu.addMenu(tr("Lan&guage")), "Language"));

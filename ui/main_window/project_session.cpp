@@ -128,7 +128,20 @@ void ProjectSession::connectView() {
     if (relighting_.frame() != nullptr) {
       workspace_.status->showLight(*relighting_.frame(), frame_ms);
     }
+    const SkyEvaluation::Figures sky = workspace_.area->view().skyFigures();
+    workspace_.quality->showSky(sky);
+    if (sky.where == SkyEvaluation::Figures::Where::refused) {
+      workspace_.evaluation->setObstacle(
+          tr("the transfer vectors of this building do not fit into the graphics processor"));
+    }
   });
+  // Another building, another size.
+  workspace_.evaluation->setObstacle({});
+  connect(&view, &SceneView::meshChanged, workspace_.evaluation,
+          [evaluation = workspace_.evaluation] { evaluation->setObstacle({}); });
+  const auto choose = [this] { relighting_.setHeldInParts(workspace_.evaluation->onGpu()); };
+  connect(workspace_.evaluation, &EvaluationChoice::changed, this, choose);
+  choose();
   connect(&workspace_.area->input(), &ViewInput::pointed, this,
           [this](const PointedAt& at) { workspace_.status->showReading(at.surface); });
   connect(&workspace_.area->input(), &ViewInput::surfaceClicked, this,

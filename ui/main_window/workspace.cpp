@@ -61,6 +61,13 @@ Workspace makeWorkspace(QMainWindow& window) {
   w.history->setEmptyLabel(tr("As it was opened"));
   w.history->setToolTip(tr("A click goes back or forward to that step"));
   w.status = new StatusLine(window.statusBar());
+  w.evaluation = new EvaluationChoice(&window);
+  QObject::connect(w.evaluation, &EvaluationChoice::changed, w.status,
+                   [evaluation = w.evaluation, status = w.status] {
+                     status->showEvaluation(evaluation->text(), evaluation->reason());
+                   });
+  QObject::connect(&w.area->view(), &VtkView::contextMade, w.evaluation,
+                   &EvaluationChoice::setRenderer);
   window.setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks |
                         QMainWindow::AllowNestedDocks);
   window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);

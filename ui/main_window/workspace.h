@@ -17,6 +17,7 @@
 #include "ui/panels/status_line.h"
 #include "ui/panels/verify_panel.h"
 #include "ui/panels/view_panel.h"
+#include "ui/viewport/evaluation.h"
 
 class QDockWidget;
 class QMainWindow;
@@ -43,6 +44,7 @@ struct Workspace {
   LogPanel* log = nullptr;
   QUndoView* history = nullptr;  ///< the steps that can be undone; the window says whose
   StatusLine* status = nullptr;
+  EvaluationChoice* evaluation = nullptr;
   std::vector<QDockWidget*> docks;
 };
 

@@ -93,6 +93,9 @@ QualityPanel::QualityPanel(QWidget* parent)
       tr("Found exactly at rest; mixed from smooth skies while a slider is held"));
   row(transport_, tr("Reflections"),
       tr("Pictures of the lit room from these places, made anew with every light"));
+  row(transport_, tr("Sky in hand"),
+      tr("Memory of the graphics processor and time per step of the slider, where it adds up the "
+         "light of the sky"));
   needed_ = section(tr("Computed"));
   skipped_ = section(tr("Not needed here"));
   auto* advanced = new QToolButton;
@@ -185,6 +188,18 @@ void QualityPanel::choose(const QString& preset) {
   scene::Quality quality = document_->scene()->quality;
   quality.preset = toStd(preset);
   setQuality(quality);
+}
+
+void QualityPanel::showSky(const SkyEvaluation::Figures& figures) {
+  using Where = SkyEvaluation::Figures::Where;
+  if (figures.where == Where::nowhere) return;  // the last step's stay
+  const QLocale locale;
+  transport_->child(6)->setText(
+      1, figures.where == Where::refused
+             ? tr("by the processor")
+             : tr("%1 MB, %2 ms")
+                   .arg(locale.toString(static_cast<double>(figures.bytes) / 1e6, 'f', 1))
+                   .arg(locale.toString(figures.milliseconds, 'f', 1)));
 }
 
 void QualityPanel::showFrame(const LightFrame& frame) {

@@ -3,6 +3,7 @@
 
 #include "ui/document/document.h"
 #include "ui/jobs/light_frame.h"
+#include "ui/viewport/sky_evaluation.h"
 
 #include <QPointer>
 #include <QWidget>
@@ -24,6 +25,8 @@ class QualityPanel : public QWidget {
   void setDocument(Document* document);
   /// The newest light: its times (of the last move) and the size of its transport.
   void showFrame(const LightFrame& frame);
+  /// How the last picture's light was added up, while a slider of the surroundings is held.
+  void showSky(const SkyEvaluation::Figures& figures);
 
  private:
   void showProject();

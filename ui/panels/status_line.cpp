@@ -30,6 +30,7 @@ StatusLine::StatusLine(QStatusBar* bar)
       place_(new QLabel),
       light_(new QLabel),
       quality_(new QLabel),
+      evaluation_(new QLabel),
       verified_(new QLabel),
       hint_(new QLabel),
       stage_(new QLabel),
@@ -51,6 +52,8 @@ StatusLine::StatusLine(QStatusBar* bar)
   verified_->setToolTip(tr("The light that is shown was compared with the path tracer"));
   verified_->setFont(bold);
   verified_->hide();
+  evaluation_->setObjectName(QStringLiteral("evaluation"));
+  evaluation_->hide();
   progress_->setRange(0, 1000);
   progress_->setTextVisible(false);
   progress_->setFixedWidth(140);
@@ -65,6 +68,7 @@ StatusLine::StatusLine(QStatusBar* bar)
   bar->addPermanentWidget(place_);
   bar->addPermanentWidget(light_);
   bar->addPermanentWidget(quality_);
+  bar->addPermanentWidget(evaluation_);
   bar->addPermanentWidget(verified_);
   connect(cancel_, &QToolButton::clicked, this, &StatusLine::cancelRequested);
   light_->installEventFilter(this);
@@ -122,6 +126,12 @@ void StatusLine::showReading(const std::optional<SurfaceReading>& reading) {
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
   if (watched == light_ && event->type() == QEvent::LocaleChange) showReading(reading_);
   return QObject::eventFilter(watched, event);
+}
+
+void StatusLine::showEvaluation(const QString& text, const QString& reason) {
+  evaluation_->setText(text);
+  evaluation_->setToolTip(reason);
+  evaluation_->setVisible(!text.isEmpty());
 }
 
 void StatusLine::setVerified(const QString& text) {

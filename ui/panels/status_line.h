@@ -29,6 +29,8 @@ class StatusLine : public QObject {
   void showHint(const QString& hint);
   void showReading(const std::optional<SurfaceReading>& reading);
   void showLight(const LightFrame& frame, double frame_ms);
+  /// Which processor evaluates light in the views, in a word, and why.
+  void showEvaluation(const QString& text, const QString& reason);
   /// What the reference said of the light that is shown; empty: nothing.
   void setVerified(const QString& text);
 
@@ -43,6 +45,7 @@ class StatusLine : public QObject {
   QLabel* place_;
   QLabel* light_;
   QLabel* quality_;
+  QLabel* evaluation_;
   QLabel* verified_;
   QLabel* hint_;
   QLabel* stage_;

@@ -101,12 +101,21 @@ void BuildingDrawing::setMesh(std::shared_ptr<const DisplayMesh> mesh) {
   mesh_ = std::move(mesh);
   reflections_.setMesh(mesh_);
   light_.reset();
+  sky_.reset();
   shift_.clear();
   mesh_dirty_ = true;
 }
 
+void BuildingDrawing::setSky(std::shared_ptr<const HeldSky> sky) {
+  if (sky == sky_) return;
+  sky_ = std::move(sky);
+  shift_.clear();
+  light_dirty_ = true;
+}
+
 void BuildingDrawing::setLight(std::shared_ptr<const std::vector<vec3>> lux) {
   light_ = std::move(lux);
+  sky_.reset();
   shift_.clear();
   light_dirty_ = true;
 }
@@ -165,12 +174,8 @@ void BuildingDrawing::upload() {
   }
   view_dirty_ = false;
   if (light_dirty_ && light_ != nullptr && !light_->empty()) {
+    uploadLight();
     glBindVertexArray(mesh_array_);
-    // Four each: what pixels are shaded from is fetched in one piece.
-    std::vector<glm::vec4> padded(light_->size());
-    for (std::size_t i = 0; i < padded.size(); ++i) padded[i] = glm::vec4((*light_)[i], 0.0F);
-    for (std::size_t i = 0; i < shift_.size(); ++i) padded[i].w = shift_[i];
-    fill(lux_, Kind::vertices, padded, true);
     attribute(2, lux_, 4, sizeof(glm::vec4));
   }
   light_dirty_ = false;
@@ -184,6 +189,21 @@ void BuildingDrawing::upload() {
   }
   luminaires_dirty_ = false;
   glBindVertexArray(0);
+}
+
+void BuildingDrawing::uploadLight() {
+  if (sky_ == nullptr) {
+    sky_evaluation_.letGo();
+  } else if (sky_evaluation_.evaluate(*sky_, mesh_, lux_)) {
+    return;
+  }
+  const std::vector<vec3> sum = sky_ == nullptr ? std::vector<vec3>{} : evaluated(*sky_, *mesh_);
+  const std::vector<vec3>& lux = sky_ == nullptr ? *light_ : sum;
+  // Four each: what pixels are shaded from is fetched in one piece.
+  std::vector<glm::vec4> padded(lux.size());
+  for (std::size_t i = 0; i < padded.size(); ++i) padded[i] = glm::vec4(lux[i], 0.0F);
+  for (std::size_t i = 0; i < shift_.size(); ++i) padded[i].w = shift_[i];
+  fill(lux_, GlBuffer::Kind::vertices, padded, true);
 }
 
 void BuildingDrawing::drawMesh(const glm::mat4& clip_from_scene, const GlProgram& program) {
@@ -276,6 +296,7 @@ void BuildingDrawing::release() {
   }
   for (GlTexture& map : maps_) map.release();
   seen_.release();
+  sky_evaluation_.release();
   outside_.release();
   reflections_.release();
   mesh_program_.release();

@@ -7,6 +7,7 @@
 #include "ui/viewport/outside_drawing.h"
 #include "ui/viewport/reflection_drawing.h"
 #include "ui/viewport/seen_surfaces.h"
+#include "ui/viewport/sky_evaluation.h"
 
 #include <memory>
 #include <vector>
@@ -26,6 +27,11 @@ class BuildingDrawing {
   void setMesh(std::shared_ptr<const DisplayMesh> mesh);
   /// RGB lux per vertex of the mesh; views of one building share it.
   void setLight(std::shared_ptr<const std::vector<vec3>> lux);
+  /// Draws the light of a sky in hand in its place, until the next setLight(). Of the texels that
+  /// the mesh was cut from.
+  void setSky(std::shared_ptr<const HeldSky> sky);
+  [[nodiscard]] const std::shared_ptr<const HeldSky>& sky() const { return sky_; }
+  [[nodiscard]] SkyEvaluation& skyEvaluation() { return sky_evaluation_; }
   [[nodiscard]] const std::shared_ptr<const std::vector<vec3>>& light() const { return light_; }
   /// What is added to the illuminance of each vertex (withoutSpecks()); empty: nothing. Goes with
   /// the light, and with it.
@@ -52,6 +58,7 @@ class BuildingDrawing {
 
  private:
   void upload();
+  void uploadLight();
   void drawMesh(const glm::mat4& clip_from_scene, const GlProgram& program);
   /// Whether the picture came from what is known of the view.
   bool drawSeen(const SeenSurfaces::View& view, const vec3& background);
@@ -59,6 +66,7 @@ class BuildingDrawing {
 
   std::shared_ptr<const DisplayMesh> mesh_;
   std::shared_ptr<const std::vector<vec3>> light_;
+  std::shared_ptr<const HeldSky> sky_;
   std::vector<float> shift_;
   LuminaireMesh luminaires_;
   OutsideDrawing outside_;
@@ -74,6 +82,7 @@ class BuildingDrawing {
   bool luminaires_dirty_ = false;
   int luminaire_corners_ = 0;
   SeenSurfaces seen_;
+  SkyEvaluation sky_evaluation_;
   SeenSurfaces::View last_view_;
 
   unsigned mesh_array_ = 0;

@@ -23,13 +23,19 @@ void GlBuffer::fill(Kind kind, const void* data, std::size_t bytes, bool often) 
   if (kind == Kind::vertices) glBindBuffer(target, 0);
 }
 
+void GlBuffer::reserve(std::size_t bytes) {
+  if (id_ != 0 && bytes == bytes_) return;
+  fill(Kind::vertices, nullptr, bytes, false);
+}
+
 void GlBuffer::release() {
   if (id_ != 0) glDeleteBuffers(1, &id_);
   id_ = 0;
   bytes_ = 0;
 }
 
-void GlProgram::build(const std::string& vertex, const std::string& fragment) {
+void GlProgram::build(const std::string& vertex, const std::string& fragment,
+                      const char* captured) {
   release();
   id_ = glCreateProgram();
   std::array<GLchar, 2048> text{};
@@ -51,6 +57,9 @@ void GlProgram::build(const std::string& vertex, const std::string& fragment) {
   for (GLuint i = 0; i < inputs.size(); ++i) glBindAttribLocation(id_, i, inputs[i]);
   glBindFragDataLocation(id_, 0, "color");
   glBindFragDataLocation(id_, 1, "more");
+  if (captured != nullptr) {
+    glTransformFeedbackVaryings(id_, 1, &captured, GL_INTERLEAVED_ATTRIBS);
+  }
   glLinkProgram(id_);
   GLint linked = GL_FALSE;
   glGetProgramiv(id_, GL_LINK_STATUS, &linked);
@@ -89,6 +98,9 @@ void GlProgram::set(const char* name, const glm::vec4& value) const {
 }
 void GlProgram::set(const char* name, const glm::mat4& value) const {
   glUniformMatrix4fv(uniform(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+void GlProgram::set(const char* name, const std::vector<glm::vec4>& values) const {
+  glUniform4fv(uniform(name), static_cast<GLsizei>(values.size()), glm::value_ptr(values[0]));
 }
 
 void GlTexture::make(const color::ShaderTable& table) {

@@ -17,6 +17,8 @@ namespace soffit::ui {
 class GlBuffer {
  public:
   enum class Kind { vertices, indices };
+  /// Makes room for what is written by OpenGL itself.
+  void reserve(std::size_t bytes);
   /// Takes the place of what was there. A buffer that is filled often keeps its storage.
   void fill(Kind kind, const void* data, std::size_t bytes, bool often = false);
   void release();
@@ -32,7 +34,9 @@ class GlBuffer {
 /// error macro and nothing is drawn.
 class GlProgram {
  public:
-  void build(const std::string& vertex, const std::string& fragment);
+  /// captured: what the vertex shader gives that is written to a buffer (transform feedback).
+  void build(const std::string& vertex, const std::string& fragment,
+             const char* captured = nullptr);
   void release();
   void use() const;
   [[nodiscard]] bool ready() const { return id_ != 0; }
@@ -44,6 +48,7 @@ class GlProgram {
   void set(const char* name, const vec3& value) const;
   void set(const char* name, const glm::vec4& value) const;
   void set(const char* name, const glm::mat4& value) const;
+  void set(const char* name, const std::vector<glm::vec4>& values) const;
 
  private:
   unsigned id_ = 0;

@@ -129,18 +129,29 @@ void SceneView::onMeshFinished() {
   Q_EMIT meshChanged();
 }
 
+SkyEvaluation::Figures SceneView::skyFigures() {
+  return pass().building.skyEvaluation().figures();
+}
+
 void SceneView::lightBuilding(const LightFrame& frame) {
-  auto lux = std::make_shared<std::vector<vec3>>(mesh_->vertexCount());
-  lightVertices(*mesh_, frame.lux, *lux);
-  pass().building.setLight(std::move(lux));
-  pass().building.reflections().setLight(frame.reflections);
-  smoothLines();
+  BuildingDrawing& building = pass().building;
+  const auto& known = building.light();
+  const bool lit = known != nullptr && known->size() == mesh_->vertexCount();
+  if (frame.held == nullptr || !lit) {
+    auto lux = std::make_shared<std::vector<vec3>>(mesh_->vertexCount());
+    lightVertices(*mesh_, frame.lux, *lux);
+    building.setLight(std::move(lux));
+    smoothLines();
+  }
+  if (frame.held != nullptr) building.setSky(frame.held);
+  building.reflections().setLight(frame.reflections);
 }
 
 /// In a drag there are better things to do: specks come and go with the light there.
 void SceneView::smoothLines() {
   const auto& lux = pass().building.light();
   if (mesh_ == nullptr || lux == nullptr || lux->size() != mesh_->vertexCount()) return;
+  if (pass().building.sky() != nullptr) return;
   pass().building.setShift(moving_ ? std::vector<float>{}
                                    : withoutSpecks(*mesh_, *lux, look_.levels));
 }
@@ -153,6 +164,7 @@ void SceneView::setFrameOf(SceneView& other) {
   }
   frame_ = other.frame_;
   pass().building.setLight(other.pass().building.light());
+  pass().building.setSky(other.pass().building.sky());
   pass().building.setShift(other.pass().building.shift());
   pass().building.reflections().setLight(other.pass().building.reflections().light());
   lit_from_frame_ = true;

@@ -8,6 +8,7 @@
 #include "ui/viewport/look.h"
 #include "ui/viewport/pointing.h"
 #include "ui/viewport/shot.h"
+#include "ui/viewport/sky_evaluation.h"
 #include "ui/viewport/still.h"
 #include "ui/viewport/traced_view.h"
 #include "ui/viewport/view_camera.h"
@@ -108,6 +109,8 @@ class SceneView : public VtkView {
   [[nodiscard]] const std::shared_ptr<const relight::Solver>& meshSolver() const {
     return mesh_solver_;
   }
+  /// How the light of surroundings in hand was added up last.
+  [[nodiscard]] SkyEvaluation::Figures skyFigures();
   [[nodiscard]] bool isMoving() const { return moving_; }
   [[nodiscard]] dvec2 viewSize() const { return {width(), height()}; }
   [[nodiscard]] dvec3 origin() const;

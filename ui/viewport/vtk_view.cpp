@@ -19,6 +19,7 @@ namespace {
 
 constexpr unsigned kDrawFramebuffer = 0x8CA9;  // GL_DRAW_FRAMEBUFFER
 constexpr unsigned kLessOrEqual = 0x0203;      // GL_LEQUAL
+constexpr unsigned kRenderer = 0x1F01;         // GL_RENDERER
 
 }  // namespace
 
@@ -114,6 +115,8 @@ void VtkView::initializeGL() {
   window_->SetMapped(1);
   // Not OpenGLInitContext() alone: that would skip the set-up of VTK's state.
   window_->OpenGLInit();
+  const auto* renderer = context()->functions()->glGetString(kRenderer);
+  Q_EMIT contextMade(QString::fromLatin1(reinterpret_cast<const char*>(renderer)));  // NOLINT
 }
 
 void VtkView::resizeGL(int, int) {

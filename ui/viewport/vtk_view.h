@@ -43,6 +43,8 @@ class VtkView : public QOpenGLWidget {
 
  Q_SIGNALS:
   void painted();
+  /// There is an OpenGL context; renderer: what draws there (GL_RENDERER).
+  void contextMade(const QString& renderer);
 
  protected:
   void initializeGL() override;

@@ -86,6 +86,42 @@ class OutsideLightTest : public QObject {
     QVERIFY(worstOf(plainLight()) < 1e-4);
   }
 
+  void aViewThatAddsItUpGetsTheSunInParts() {
+    relighting_->setHeldInParts(true);
+    int in_parts = 0;
+    connect(relighting_.get(), &Relighting::frameChanged, this, [&] {
+      if (relighting_->frame()->lux_late) ++in_parts;
+    });
+    for (const double azimuth : {150.0, 165.0, 180.0}) {
+      previewEnvironment(*document_, withSunAt(*document_->scene()->environment, azimuth));
+      QTRY_VERIFY_WITH_TIMEOUT(relighting_->frame()->revision == relighting_->revision(),
+                               kPatienceMs);
+      QVERIFY(!relighting_->frame()->complete);
+    }
+    QVERIFY2(in_parts > 0, "the first step is mixed at the texels, the others are not");
+    const auto held = relighting_->frame()->held;
+    QVERIFY(held != nullptr);
+    // The hand pauses: what is read is the light that is shown.
+    QTRY_VERIFY_WITH_TIMEOUT(!relighting_->frame()->lux_late, kPatienceMs);
+    QCOMPARE(relighting_->frame()->held, held);
+    QCOMPARE(relighting_->frame()->revision, relighting_->revision());
+    QVERIFY(rmsOf(plainLight()) < 0.03);
+    // Halves: 2^-11 of terms whose sizes sum to some times the light.
+    QVERIFY(worstOf(relighting_->frame()->lux,
+                    held->vectors->evaluate(held->weights, *held->rest)) < 2e-3);
+    document_->commitPreview(QStringLiteral("Sun"));
+    waitForLight();
+    QVERIFY(relighting_->frame()->held == nullptr);
+    QVERIFY(worstOf(plainLight()) < 1e-4);
+    relighting_->setHeldInParts(false);
+    in_parts = 0;
+    previewEnvironment(*document_, withSunAt(*document_->scene()->environment, 140.0));
+    previewEnvironment(*document_, withSunAt(*document_->scene()->environment, 130.0));
+    QTRY_VERIFY_WITH_TIMEOUT(relighting_->frame()->revision == relighting_->revision(),
+                             kPatienceMs);
+    QCOMPARE(in_parts, 0);
+  }
+
   void withoutSurroundingsItIsNight() {
     editEnvironment(*document_, QStringLiteral("Night"), std::nullopt);
     waitForLight();
