@@ -21,6 +21,8 @@ class LiveReflections {
   void make(const std::shared_ptr<const relight::Solver>& solver, const ScenePtr& scene,
             const Job& job);
   void clear() { *this = {}; }
+  /// Whether addTo() adds anything.
+  [[nodiscard]] bool any() const { return probes_ != nullptr; }
 
   /// Adds the reflections to light of the solver that the probes were made for; after a change of
   /// materials those of the old ones, until make().

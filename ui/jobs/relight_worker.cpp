@@ -162,7 +162,10 @@ void RelightWorker::run(const std::stop_token& stop) {
       give_up = current_.get_token();
       if (!reflects_) reflections_.clear();
     }
-    if (reflects) makeReflections(give_up);
+    if (reflects) {
+      makeReflections(give_up);
+      if (!reflections_.any()) continue;  // what is shown has all that there is
+    }
     if (other) {
       serveOther(std::move(*other), give_up);
     } else if (last_) {
