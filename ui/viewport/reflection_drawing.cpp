@@ -5,6 +5,7 @@
 
 #include "core/base/parallel.h"
 #include "core/glossy/lobe_shape.h"
+#include "core/render/live_probes.h"
 #include "ui/viewport/reflection_shader.h"
 
 #include <algorithm>
@@ -14,6 +15,9 @@ namespace soffit::ui {
 namespace {
 
 constexpr int kPosition = 0, kNormal = 4, kGloss = 6;  // as GlProgram binds them
+static_assert(render::LiveProbes::kMostProbes <= kMostShaderProbes);
+static_assert(render::LampMaker::kMostLamps <= kMostShaderLamps);
+static_assert(render::LampMaker::kFewLuminaires * 4 <= kMostShaderLamps);  // pieces in a row
 
 void attribute(int location, GlBuffer& buffer, const void* data, std::size_t count, int size) {
   buffer.fill(GlBuffer::Kind::vertices, data,
