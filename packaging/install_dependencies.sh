@@ -15,7 +15,7 @@ core=(libtbb-dev libglm-dev libfmt-dev libeigen3-dev libhwy-dev libxxhash-dev nl
       openimageio-tools)  # not run by us: the export file of libopenimageio-dev insists on it
 program=(libcli11-dev gnuplot-nox)  # gnuplot draws the plot of `soffit bench`
 tests=(libgtest-dev libgmock-dev python3)
-window=(qt6-base-dev libvtk9-dev libgl1-mesa-dri xvfb xauth
+window=(qt6-base-dev libvtk9-dev libgl1-mesa-dri xvfb
         qt6-tools-dev qt6-l10n-tools  # CMake's part and the programs of Qt's linguist tools
         qt6-translations-l10n)        # what Qt's own dialogs say in other languages
 if grep -qs '^VERSION_ID="12"' /etc/os-release; then
