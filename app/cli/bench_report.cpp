@@ -53,6 +53,8 @@ std::string seriesOf(const design::BenchRow& row) {
   if (row.method == "bitmask") {
     return row.settings.find('+') == std::string::npos ? "bitmask, presets" : "bitmask, settings";
   }
+  if (row.method.rfind("harmonics", 0) == 0) return "harmonics";
+  if (row.method.rfind("cubes", 0) == 0) return "dynamic cube maps";
   return "nodes alone";
 }
 

@@ -90,6 +90,9 @@ class Measurement {
         prt::LocalOptions options;
         options.bands = point.rays;
         if (point.method == BenchMethod::cubes) options.method = prt::LocalMethod::cubes;
+        int& resolution =
+            point.method == BenchMethod::cubes ? options.cube_side : options.directions;
+        if (point.resolution > 0) resolution = point.resolution;
         const auto way = byTransfer(options, job, row);
         if (!way) return way.error();
         return withDirect(*way, true, job, row);

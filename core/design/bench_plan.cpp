@@ -24,6 +24,22 @@ BenchStep changed(const char* setting, double value) {
   return only(quality);
 }
 
+/// The papers' methods in all their settings, on the interactive preset's bake.
+BenchStep papersMethods() {
+  BenchStep step;
+  step.quality.preset = "interactive";
+  const auto add = [&](BenchMethod method, int bands, int resolution) {
+    step.points.push_back({method, bands, step.quality, resolution});
+  };
+  for (const int bands : {10, 2, 4, 6}) add(BenchMethod::harmonics, bands, 0);
+  for (const int directions : {256, 4096}) add(BenchMethod::harmonics, 5, directions);
+  for (const int side : {8, 32, 64}) {
+    for (const int bands : {5, 3, 8}) add(BenchMethod::cubes, bands, side);
+  }
+  for (const int bands : {10, 2, 4, 6}) add(BenchMethod::cubes, bands, 0);
+  return step;
+}
+
 }  // namespace
 
 std::string BenchPoint::methodName() const {
@@ -35,11 +51,15 @@ std::string BenchPoint::methodName() const {
     case BenchMethod::shadow_rays:
       return fmt::format("shadow-rays-{}", rays);
     case BenchMethod::harmonics:
-      return fmt::format("harmonics-{}", rays);
+      return fmt::format("harmonics-{}", rays) + atResolution("directions");
     case BenchMethod::cubes:
-      return fmt::format("cubes-{}", rays);
+      return fmt::format("cubes-{}", rays) + atResolution("side");
   }
   return "bitmask";
+}
+
+std::string BenchPoint::atResolution(const char* what) const {
+  return resolution == 0 ? std::string() : fmt::format("-{}-{}", what, resolution);
 }
 
 std::string BenchPoint::settingsName() const {
@@ -76,6 +96,7 @@ std::vector<BenchStep> benchPlan() {
       {"field_rays", 32}, {"node_rays", 16},   {"list_rays", 32},    {"list_rays", 16},
       {"max_rank", 20},   {"patch", 256},      {"texels", 200000}};
   for (const auto& [setting, value] : rest) plan.push_back(changed(setting, value));
+  plan.push_back(papersMethods());
   return plan;
 }
 

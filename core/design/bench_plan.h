@@ -22,11 +22,16 @@ struct BenchPoint {
   BenchMethod method = BenchMethod::bitmask;
   int rays = 0;  ///< per point, shadow_rays only; bands of harmonics and cubes
   scene::Quality quality;
+  /// Of harmonics: directions of the shadows; of cubes: texels of a side. 0: the method's own.
+  int resolution = 0;
 
-  /// "bitmask", "nodes", "shadow-rays-64", "harmonics-5", "cubes-5".
+  /// "bitmask", "nodes", "shadow-rays-64", "harmonics-5", "cubes-5", "cubes-5-side-32".
   [[nodiscard]] std::string methodName() const;
   /// "interactive", or "interactive+list_rays=32" for a preset with changes.
   [[nodiscard]] std::string settingsName() const;
+
+ private:
+  [[nodiscard]] std::string atResolution(const char* what) const;
 };
 
 /// Points of one quality, which share a bake.

@@ -84,7 +84,7 @@ class Measurement {
   void makeHighlights() {
     const auto start = std::chrono::steady_clock::now();
     highlights_ = forSamples([&](const SurfaceSample& s, const render::ViewMaterial& m) {
-      return render::lampHighlights(scene_, s, m.f0, m.alpha);
+      return render::lampHighlights(scene_, s, m.f0, s.alpha);
     });
     highlight_seconds_ = secondsSince(start);
   }
@@ -97,7 +97,7 @@ class Measurement {
     render::ProbeReflections maps(scene_, probes, room, levels);
     maps.light(illumination_);
     auto specular = forSamples([&](const SurfaceSample& s, const render::ViewMaterial& m) {
-      return maps.reflected(s, m.f0, m.alpha);
+      return maps.reflected(s, m.f0, s.alpha);
     });
     addHighlights(specular);
     return {fmt::format("reflection maps, {} probes", maps.probeCount()),
@@ -110,7 +110,7 @@ class Measurement {
   [[nodiscard]] MethodResult liveMaps(const render::LitProbes& probes) const {
     const auto start = std::chrono::steady_clock::now();
     const auto specular = forSamples([&](const SurfaceSample& s, const render::ViewMaterial& m) {
-      return probes.reflected({s.point.position, s.point.shading_normal, s.to_eye}, m.f0, m.alpha);
+      return probes.reflected({s.point.position, s.point.shading_normal, s.to_eye}, m.f0, s.alpha);
     });
     return {fmt::format("live maps, {} probes", probes.probes().size()),
             luminanceOf(specular),

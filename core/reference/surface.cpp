@@ -20,12 +20,23 @@ dvec3 pixel(const scene::Image& image, double column, double row) {
   return image.channels >= 3 ? dvec3(p[0], p[1], p[2]) : dvec3(p[0]);
 }
 
+dvec2 uvAt(const geometry::Mesh& mesh, const uvec3& t, const dvec3& barycentric) {
+  return barycentric.x * dvec2(mesh.uvs[t.x]) + barycentric.y * dvec2(mesh.uvs[t.y]) +
+         barycentric.z * dvec2(mesh.uvs[t.z]);
+}
+
 dvec3 diffuseAt(const geometry::Mesh& mesh, const scene::Material& material, const uvec3& t,
                 const dvec3& barycentric) {
   if (material.diffuse_image == nullptr || mesh.uvs.empty()) return material.diffuse;
-  const dvec2 uv = barycentric.x * dvec2(mesh.uvs[t.x]) + barycentric.y * dvec2(mesh.uvs[t.y]) +
-                   barycentric.z * dvec2(mesh.uvs[t.z]);
-  return material.diffuse * glm::clamp(lookUp(*material.diffuse_image, uv), 0.0, 1.0);
+  const dvec3 share = lookUp(*material.diffuse_image, uvAt(mesh, t, barycentric));
+  return material.diffuse * glm::clamp(share, 0.0, 1.0);
+}
+
+double roughnessAt(const geometry::Mesh& mesh, const scene::Material& material, const uvec3& t,
+                   const dvec3& barycentric) {
+  if (material.roughness_image == nullptr || mesh.uvs.empty()) return material.roughness;
+  const dvec3 share = lookUp(*material.roughness_image, uvAt(mesh, t, barycentric));
+  return material.roughness * std::clamp(share.y, 0.0, 1.0);
 }
 
 const scene::Material& materialOf(const geometry::Mesh& mesh,
@@ -66,7 +77,8 @@ SurfacePoint surfaceAt(const geometry::Mesh& mesh, std::span<const scene::Materi
   if (material.glass) return out;  // a window at night: neither reflects nor lets through
   out.bsdf.diffuse = diffuseAt(mesh, material, t, barycentric);
   out.bsdf.specular = material.specular;
-  out.bsdf.alpha = material.roughness * material.roughness;
+  const double roughness = roughnessAt(mesh, material, t, barycentric);
+  out.bsdf.alpha = roughness * roughness;
   return out;
 }
 

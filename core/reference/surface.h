@@ -18,7 +18,7 @@ struct SurfacePoint {
 };
 
 /// The point that a ray has hit and how it reflects there. Reflectances come from the triangle's
-/// material and its diffuse map; glass reflects nothing.
+/// material, its diffuse and its roughness map; glass reflects nothing.
 ///
 /// direction: of the ray, unit or not. hit.valid(). A triangle without a material in `materials`
 /// has the default material.

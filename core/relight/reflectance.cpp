@@ -2,6 +2,7 @@
 #include "core/relight/reflectance.h"
 
 #include "core/math/sampling.h"
+#include "core/scene/roughness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +87,7 @@ Reflectances makeReflectances(const transfer::Texels& texels,
   for (auto& channel : out.rho) channel.assign(slots, 0.0F);
   std::vector<double> lobe(materials.size(), 0.0);
   for (std::size_t m = 0; m < materials.size(); ++m)
-    lobe[m] = lobeAlbedo(materials[m].specular, materials[m].roughness);
+    lobe[m] = lobeAlbedo(materials[m].specular, scene::roughnessRange(materials[m]).mean);
   for (std::size_t s = 0; s < slots; ++s) {
     if (texels.material[s] >= materials.size()) continue;
     const scene::Material& m = materials[texels.material[s]];

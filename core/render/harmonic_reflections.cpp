@@ -53,7 +53,7 @@ std::vector<vec3> throughLobes(const ViewScene& scene, const glossy::FloatBlocks
     const ViewMaterial& m = scene.material(s.point.triangle);
     const glossy::LobeShape shape =
         glossy::lobeShape(static_cast<double>(glm::dot(s.point.shading_normal, s.to_eye)),
-                          static_cast<double>(m.alpha));
+                          static_cast<double>(s.alpha));
     const auto view = [&](const glossy::RoundLobe& lobe, double weight) {
       return glossy::LobeView{glossy::lobeAxis(lobe, s.point.shading_normal, s.to_eye),
                               static_cast<float>(lobe.alpha),

@@ -60,7 +60,7 @@ std::shared_ptr<const LiveProbes> LiveProbes::make(const ViewScene& scene,
   for (std::size_t s = 0; s < texels.slotCount(); ++s) {
     const ViewMaterial& material = scene.material(texels.triangle[s]);
     if (material.f0 <= 0.0F || texels.area[s] <= 0.0F) continue;
-    sharpest = std::min(sharpest, material.alpha);
+    sharpest = std::min(sharpest, material.least_alpha);
     pieces.push_back({texels.receivers.position(s), texels.receivers.normal(s), texels.area[s]});
   }
   const std::vector<vec3> places = probePlaces(

@@ -24,7 +24,7 @@ class SentAlbedo;
 ///
 /// Against final pictures (view_renderer.h) it simplifies: reflected surfaces show the light of
 /// texels as wide as they are, all of it as if reflected diffusely (SentAlbedo); luminaires are
-/// round pieces; roughness maps and normal maps are left out. Error: README.md.
+/// round pieces; normal maps are left out. Error: README.md.
 class LiveProbes {
  public:
   static constexpr std::size_t kMostProbes = 10;

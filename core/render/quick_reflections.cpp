@@ -39,7 +39,8 @@ QuickReflections::QuickReflections(const ViewScene& scene, const Illumination& i
   for (std::uint32_t t = 0; t < scene.mesh().triangles.size(); ++t) {
     const ViewMaterial& m = scene.material(t);
     if (m.f0 <= 0.0F || m.alpha < kMirrorAlpha) continue;
-    (m.alpha >= least_alpha_ ? harmonics : maps) = true;
+    harmonics = harmonics || m.alpha >= least_alpha_;
+    maps = maps || m.least_alpha < least_alpha_;
   }
   if (harmonics) {
     directions_ = std::make_shared<const sh::SphereSamples>(sh::hammersleySamples(kDirections));
@@ -56,8 +57,8 @@ void QuickReflections::render(std::span<const ReflectingPixel> pixels, SpecularL
   for (const ReflectingPixel& pixel : pixels) {
     const SurfaceSample& at = pixel.samples.front();
     const ViewMaterial& m = scene_.material(at.point.triangle);
-    vec3 sum = lampHighlights(scene_, at, m.f0, m.alpha);
-    if (m.alpha < least_alpha_ && maps_) sum += maps_->reflected(at, m.f0, m.alpha);
+    vec3 sum = lampHighlights(scene_, at, m.f0, at.alpha);
+    if (at.alpha < least_alpha_ && maps_) sum += maps_->reflected(at, m.f0, at.alpha);
     radiance.push_back(sum);
   }
   if (directions_ != nullptr) addHarmonics(pixels, radiance);
@@ -80,7 +81,7 @@ void QuickReflections::addHarmonics(std::span<const ReflectingPixel> pixels,
     const SurfaceSample& at = pixel.samples.front();
     samples.push_back(at);
     receiver_of.push_back(kNoReceiver);
-    if (scene_.material(at.point.triangle).alpha < least_alpha_) continue;
+    if (at.alpha < least_alpha_) continue;
     const auto [found, fresh] =
         made.try_emplace({pixel.x / kReceiverBlock, pixel.y / kReceiverBlock, at.surface},
                          static_cast<std::uint32_t>(positions.size()));

@@ -42,8 +42,8 @@ ReflectingPlaces::ReflectingPlaces(const ViewScene& scene, const transfer::Texel
     const std::uint32_t index = scene.materialIndex(t);
     if (index >= lobe.size()) lobe.resize(index + 1, -1.0);
     if (lobe[index] < 0.0) {
-      lobe[index] =
-          relight::lobeAlbedo(static_cast<double>(m.f0), std::sqrt(static_cast<double>(m.alpha)));
+      lobe[index] = relight::lobeAlbedo(static_cast<double>(m.f0),
+                                        std::sqrt(static_cast<double>(m.mean_alpha)));
     }
     for (const bool front : {true, false}) {
       ReflectingSide side{t, front, geometry::areaOf(scene.mesh(), t), 0.0};

@@ -104,9 +104,8 @@ void Reflector::render(std::span<ReflectingPixel> pixels, ReflectorScratch& s,
   follow(pixels, s);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const SurfaceSample& first = pixels[i].samples.front();
-    const ViewMaterial& m = scene_.material(first.point.triangle);
     // Only mirrors show edges sharp enough to need weights.
-    PixelMean mean(m.alpha < kMirrorAlpha ? options_.edge_white : 0.0F);
+    PixelMean mean(first.alpha < kMirrorAlpha ? options_.edge_white : 0.0F);
     for (std::uint32_t ray = s.first_ray[i]; ray < s.first_ray[i + 1]; ++ray)
       mean.add(s.radiance[ray]);
     auto& out =
@@ -115,7 +114,7 @@ void Reflector::render(std::span<ReflectingPixel> pixels, ReflectorScratch& s,
     out.radiance = mean.value();
     out.position = first.point.position;
     out.normal = first.point.shading_normal;
-    out.alpha = m.alpha;
+    out.alpha = first.alpha;
     out.material = first.material;
   }
 }
@@ -157,14 +156,15 @@ void Reflector::renderWhole(std::span<const ReflectingPixel> pixels, ReflectorSc
 
 void Reflector::spawn(const ReflectingPixel& pixel, ReflectorScratch& s) const {
   const ViewMaterial& m = scene_.material(pixel.samples.front().point.triangle);
-  const int count = m.alpha < kMirrorAlpha ? static_cast<int>(pixel.samples.size()) : pixel.rays;
+  const bool mirror = pixel.samples.front().alpha < kMirrorAlpha;
+  const int count = mirror ? static_cast<int>(pixel.samples.size()) : pixel.rays;
   const dvec2 turn = hashed(options_.seed);
   const std::uint32_t base = pixel.part * static_cast<std::uint32_t>(count);
   for (int k = 0; k < count; ++k) {
     const SurfaceSample& from = pixel.samples[static_cast<std::size_t>(k) % pixel.samples.size()];
     const Frame frame(from.point.shading_normal);
     const vec2 u = fraction(r2Sequence(base + static_cast<std::uint32_t>(k)) + turn);
-    const LobeSample lobe = sampleGgx(frame.toLocal(from.to_eye), m.f0, m.alpha, u);
+    const LobeSample lobe = sampleGgx(frame.toLocal(from.to_eye), m.f0, from.alpha, u);
     geometry::Ray ray;
     ray.origin = geometry::offsetOrigin(from.point.position, from.point.normal);
     ray.direction = aboveSurface(frame.toScene(lobe.wi), from.point.normal);
@@ -173,15 +173,15 @@ void Reflector::spawn(const ReflectingPixel& pixel, ReflectorScratch& s) const {
     s.paths.push_back({.target = static_cast<std::uint32_t>(s.rays.size() - 1),
                        .throughput = vec3(lobe.weight),
                        .pdf = static_cast<float>(count) * lobe.pdf,
-                       .alpha = m.alpha,
-                       .spread = pixel_angle_ + kLobeSpread * m.alpha,
+                       .alpha = from.alpha,
+                       .spread = pixel_angle_ + kLobeSpread * from.alpha,
                        .footprint = from.footprint});
   }
   // The highlight belongs to the pixel: its first ray takes it for all.
   const auto rays = static_cast<float>(count);
   const auto first = static_cast<std::uint32_t>(s.rays.size()) - static_cast<std::uint32_t>(count);
   aimAtLuminaires(
-      {pixel.samples.front(), m.f0, m.alpha, rays, vec3(rays), first},
+      {pixel.samples.front(), m.f0, pixel.samples.front().alpha, rays, vec3(rays), first},
       [&](std::size_t e) {
         return fraction(r2Sequence(pixel.part) + hashed(options_.seed + e + 1));
       },
@@ -282,7 +282,7 @@ void Reflector::meetSurface(std::size_t i, bool last, ReflectorScratch& s) const
   const vec3 arriving = s.first[i].through * path.throughput;
   const ViewMaterial& m = scene_.material(at.point.triangle);
   // Beyond the last reflection a rough lobe stands as so much more diffuse reflection.
-  const bool ends = last && m.alpha >= kMirrorAlpha;
+  const bool ends = last && at.alpha >= kMirrorAlpha;
   const vec3 factor = arriving * (ends ? sent_.of(at) : at.albedo) / kPiF;
   if (color::luminance(factor) > 0.0F) {
     s.arrivals.push_back({cellOf(at, at.footprint), path.target, factor, at.point, at.surface});
@@ -291,7 +291,7 @@ void Reflector::meetSurface(std::size_t i, bool last, ReflectorScratch& s) const
   if (last || m.f0 <= 0.0F) return;
   const float fresnel = schlick(m.f0, glm::dot(at.point.shading_normal, at.to_eye));
   if (color::luminance(arriving) * fresnel < kLeastThroughput) return;
-  const float alpha = std::max(m.alpha, path.alpha);
+  const float alpha = std::max(at.alpha, path.alpha);
   const std::uint64_t key = options_.seed ^ mixBits(cellOf(at, 1.0e-6F) + path.target);
   aimAtLuminaires(
       {at, m.f0, alpha, 1.0F, arriving, path.target},

@@ -21,7 +21,7 @@ SentAlbedo::SentAlbedo(const ViewScene& scene) : lobe_(1, 0.0F) {
     const ViewMaterial& m = scene.material(t);
     if (m.f0 > 0.0F) {
       lobe_[material] = static_cast<float>(relight::lobeAlbedo(
-          static_cast<double>(m.f0), std::sqrt(static_cast<double>(std::max(m.alpha, 0.0F)))));
+          static_cast<double>(m.f0), std::sqrt(static_cast<double>(m.mean_alpha))));
     }
   }
 }

@@ -18,6 +18,8 @@ constexpr std::array<float, 5> kWeights{0.5F, 1.0F, 1.0F, 1.0F, 0.5F};
 
 /// Share of a block's weight from which on its mean stands for the pixel.
 constexpr float kEnough = 0.75F;
+/// Of a lobe's alpha: how far another's may be off and still be the same (roughness maps).
+constexpr float kSameAlpha = 0.1F;
 /// Angle between normals within which two pixels have one lobe, in units of alpha, and at most,
 /// rad.
 constexpr float kSameLobe = 0.25F;
@@ -25,6 +27,7 @@ constexpr float kMostTurn = 0.25F;
 
 bool belongTogether(const SpecularLayer::Pixel& a, const SpecularLayer::Pixel& b) {
   if (b.coverage <= 0.0F || a.material != b.material || b.whole) return false;
+  if (std::abs(a.alpha - b.alpha) > kSameAlpha * a.alpha) return false;
   const float turn = std::min(kSameLobe * a.alpha, kMostTurn);
   // 1 - cos by half the square of the difference, which keeps its digits for small angles.
   const vec3 apart = a.normal - b.normal;

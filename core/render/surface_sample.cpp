@@ -2,6 +2,7 @@
 #include "core/render/surface_sample.h"
 
 #include "core/geometry/texture_tangents.h"
+#include "core/render/microfacet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,10 +71,10 @@ vec3 vertexNormal(const geometry::Mesh& m, const Corners& c, const vec3& front) 
   return glm::dot(mixed, front) < 0.0F ? -mixed / length : mixed / length;
 }
 
-/// Applies the material's maps to the albedo and to the (front) normal.
+/// Applies the material's maps to the albedo, to alpha and to the (front) normal.
 void applyMaps(const geometry::Mesh& m, const Corners& c, const ViewMaterial& material,
                const SurfaceOptions& options, SurfaceSample& s, vec3& normal) {
-  if (m.uvs.empty() || (material.diffuse_map == nullptr && material.normal_map == nullptr)) return;
+  if (m.uvs.empty() || !material.hasMaps()) return;
   const vec2 uv = c.mix(m.uvs);
   vec3 along_u(0.0F);
   vec3 along_v(0.0F);
@@ -83,6 +84,10 @@ void applyMaps(const geometry::Mesh& m, const Corners& c, const ViewMaterial& ma
         uv, known ? texelWidth(map, along_u, along_v, options.texture_share * s.footprint) : 1.0F);
   };
   if (material.diffuse_map) s.albedo *= look(*material.diffuse_map);
+  if (material.roughness_map) {
+    const float share = look(*material.roughness_map).y;
+    s.alpha = std::max(s.alpha * share * share, std::min(s.alpha, kMirrorAlpha));
+  }
   if (material.normal_map && known && !options.plain_normals) {
     normal = bumped(normal, along_u, along_v, look(*material.normal_map));
   }
@@ -127,6 +132,7 @@ SurfaceSample sampleSurface(const ViewScene& scene, const geometry::Ray& ray,
   const vec3& front = scene.normal(hit.triangle);
   SurfaceSample s;
   s.albedo = material.diffuse;
+  s.alpha = material.alpha;
   s.to_eye = -ray.direction;
   s.footprint = options.footprint + options.spread * hit.t;
   s.surface = scene.surface(hit.triangle);

@@ -11,6 +11,7 @@ namespace soffit::render {
 struct SurfaceSample {
   SurfacePoint point;
   vec3 albedo{0.0F};       ///< diffuse, texture applied
+  float alpha = 0.25F;     ///< GGX, roughness map applied
   vec3 to_eye{0.0F};       ///< unit
   float footprint = 0.0F;  ///< width of what the ray stands for, m, across the ray
   std::uint32_t surface = 0;
@@ -35,7 +36,8 @@ struct SurfaceOptions {
 /// describe, so that the facets do not shade themselves (Hanika 2021, "Hacking the Shadow
 /// Terminator", Ray Tracing Gems II). It is drawn toward the eye along the surface by 1 mm, or half
 /// the footprint if that is less, so that the foot of a wall is not on the wall as well; and never
-/// further than half the way to its triangle's edge, beyond which the surface may bend.
+/// further than half the way to its triangle's edge, beyond which the surface may bend. A roughness
+/// map makes no mirrors of what is none elsewhere.
 SurfaceSample sampleSurface(const ViewScene& scene, const geometry::Ray& ray,
                             const geometry::Hit& hit, const SurfaceOptions& options);
 

@@ -247,7 +247,7 @@ class Thrower {
     const vec3& n = at.point.shading_normal;
     orthonormalBasis(n, t, s);
     const LobeSample lobe = sampleGgx({glm::dot(wi, t), glm::dot(wi, s), glm::dot(wi, n)}, m.f0,
-                                      m.alpha, {rng.uniform(), rng.uniform()});
+                                      at.alpha, {rng.uniform(), rng.uniform()});
     if (!(lobe.weight > 0.0F)) return;
     const vec3 wo = lobe.wi.x * t + lobe.wi.y * s + lobe.wi.z * n;
     if (glm::dot(wo, at.point.normal) <= 0.0F) return;

@@ -117,7 +117,7 @@ bool TileRenderer::sameAsBefore(std::size_t i, const TileScratch& s) const {
   const geometry::Hit& hit = s.first[i].surface;
   const geometry::Hit& before = s.first[i - 1].surface;
   const ViewMaterial& m = scene_.material(hit.triangle);
-  if (hit.triangle != before.triangle || m.f0 > 0.0F || m.diffuse_map || m.normal_map) return false;
+  if (hit.triangle != before.triangle || m.f0 > 0.0F || m.hasMaps()) return false;
   const SurfaceSample& sample = s.samples[i - 1];
   return glm::dot(sample.point.normal, sample.point.shading_normal) > 0.9999F &&
          std::abs(hit.t - before.t) * glm::dot(sample.point.normal, sample.to_eye) <
@@ -252,8 +252,7 @@ void TileRenderer::reflect(std::span<const PixelTask> tasks, std::size_t per_pix
   if (quick_ != nullptr) {
     s.rough.clear();
     std::erase_if(s.mirrors, [&](const ReflectingPixel& pixel) {
-      const auto& m = scene_.material(pixel.samples.front().point.triangle);
-      if (m.alpha < kMirrorAlpha) return false;
+      if (pixel.samples.front().alpha < kMirrorAlpha) return false;
       s.rough.push_back(pixel);
       return true;
     });

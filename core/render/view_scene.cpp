@@ -2,6 +2,8 @@
 #include "core/render/view_scene.h"
 
 #include "core/math/rng.h"
+#include "core/render/microfacet.h"
+#include "core/scene/roughness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,6 +64,10 @@ void ViewScene::makeMaterials() {
   for (const scene::Material& m : scene_->materials) {
     ViewMaterial made;
     made.alpha = static_cast<float>(m.roughness * m.roughness);
+    const scene::RoughnessRange range = scene::roughnessRange(m);
+    made.least_alpha =
+        std::max(static_cast<float>(range.least * range.least), std::min(made.alpha, kMirrorAlpha));
+    made.mean_alpha = static_cast<float>(range.mean * range.mean);
     if (m.glass) {
       made.diffuse = vec3(0.0F);
     } else {
@@ -69,6 +75,7 @@ void ViewScene::makeMaterials() {
       made.f0 = static_cast<float>(m.specular);
       made.diffuse_map = mapOf(m.diffuse_image, cache);
       made.normal_map = mapOf(m.normal_image, cache);
+      if (made.f0 > 0.0F) made.roughness_map = mapOf(m.roughness_image, cache);
     }
     has_specular_ = has_specular_ || made.f0 > 0.0F;
     materials_.push_back(std::move(made));

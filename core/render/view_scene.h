@@ -20,10 +20,16 @@ namespace soffit::render {
 /// A material as pictures need it.
 struct ViewMaterial {
   vec3 diffuse{0.5F};
-  float f0 = 0.0F;      ///< reflectance of the lobe at normal incidence; 0: none
-  float alpha = 0.25F;  ///< GGX
+  float f0 = 0.0F;            ///< reflectance of the lobe at normal incidence; 0: none
+  float alpha = 0.25F;        ///< GGX; with a map: its value where that is 1
+  float least_alpha = 0.25F;  ///< anywhere on it
+  float mean_alpha = 0.25F;   ///< of its mean roughness: what it reflects altogether
   std::shared_ptr<const MipMap> diffuse_map;
   std::shared_ptr<const MipMap> normal_map;
+  std::shared_ptr<const MipMap> roughness_map;  ///< green: share of the roughness
+  [[nodiscard]] bool hasMaps() const {
+    return diffuse_map != nullptr || normal_map != nullptr || roughness_map != nullptr;
+  }
 };
 
 /// A scene made ready for pictures: what rays meet, what it looks like. Immutable; everything is
@@ -52,7 +58,8 @@ class ViewScene {
 
   /// The scene's glass; null without.
   [[nodiscard]] const daylight::Panes* panes() const { return panes_.get(); }
-  /// What a ray sees that leaves the scene, cd/m^2; nothing without surroundings. sun: with its disc.
+  /// What a ray sees that leaves the scene, cd/m^2; nothing without surroundings. sun: with its
+  /// disc.
   [[nodiscard]] std::optional<vec3> outside(const vec3& direction, bool sun) const;
 
   [[nodiscard]] const ViewMaterial& material(std::uint32_t triangle) const {

@@ -46,6 +46,15 @@ Demand demandOf(const Scene& scene) {
   decide(demand, any_surface, "visibility", "there is no geometry");
   decide(demand, colored, "three color channels", "all reflectances are grey");
   decide(demand, glossy, "highlights and reflections", "no material has a specular share");
+  const auto mapped = [&](const auto& image) {
+    return std::ranges::any_of(scene.materials,
+                               [&](const Material& m) { return m.*image != nullptr; });
+  };
+  decide(demand, mapped(&Material::diffuse_image), "pictures on surfaces",
+         "no material has a diffuse map");
+  decide(demand, mapped(&Material::normal_image), "bent normals", "no material has a normal map");
+  decide(demand, glossy && mapped(&Material::roughness_image), "roughness that changes",
+         glossy ? "no material has a roughness map" : "no material has a specular share");
   decide(demand, measured, "measured photometry", "no luminaire names a file");
   decide(demand, bodies, "luminaires as obstacles", "no luminaire casts a shadow");
   decide(demand, scene.environment.has_value(), "light from outside",

@@ -91,6 +91,7 @@ bool same(const Image& a, const Image& b) {
 bool sameReflectance(const Material& a, const Material& b) {
   return a.diffuse == b.diffuse && a.specular == b.specular && a.roughness == b.roughness &&
          a.diffuse_map == b.diffuse_map && a.normal_map == b.normal_map &&
+         a.roughness_map == b.roughness_map && sameTable(a.roughness_image, b.roughness_image) &&
          sameTable(a.diffuse_image, b.diffuse_image) && sameTable(a.normal_image, b.normal_image) &&
          sameOptional(a.glass, b.glass);
 }
@@ -133,8 +134,8 @@ bool same(const WorkPlane& a, const WorkPlane& b) {
 bool same(const View& a, const View& b) {
   return a.exposure == b.exposure && a.ocio_display == b.ocio_display &&
          a.ocio_view == b.ocio_view && a.ocio_look == b.ocio_look && a.tone_key == b.tone_key &&
-         a.tone_white == b.tone_white && a.white_balance == b.white_balance && a.bloom_threshold == b.bloom_threshold &&
-         a.bloom_strength == b.bloom_strength;
+         a.tone_white == b.tone_white && a.white_balance == b.white_balance &&
+         a.bloom_threshold == b.bloom_threshold && a.bloom_strength == b.bloom_strength;
 }
 
 bool same(const Quality& a, const Quality& b) {

@@ -3209,6 +3209,10 @@
         <source>Glass</source>
         <translation>Glas</translation>
     </message>
+    <message>
+        <source>The roughness is multiplied by the picture %1.</source>
+        <translation>Die Rauheit wird mit dem Bild %1 multipliziert.</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::MixerPanel</name>

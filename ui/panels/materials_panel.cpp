@@ -16,6 +16,7 @@
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QStringList>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -279,11 +280,16 @@ void MaterialsPanel::showChosen() {
   transmittance_->setEnabled(!opaque);
   transmittance_->setValue(opaque ? std::nullopt : std::optional(m->glass->transmittance));
   transmittance_->setEmptyText(QStringLiteral("\u2013"));
-  note_->setText(
-      !opaque ? tr("Glass: it lets light through and mirrors some; it has no colour of its own.")
-      : !m->diffuse_map.empty()
-          ? tr("Its picture %1 is multiplied by the colour.").arg(toQt(m->diffuse_map))
-          : QString());
+  QStringList notes;
+  if (!opaque) {
+    notes << tr("Glass: it lets light through and mirrors some; it has no colour of its own.");
+  } else {
+    if (!m->diffuse_map.empty())
+      notes << tr("Its picture %1 is multiplied by the colour.").arg(toQt(m->diffuse_map));
+    if (!m->roughness_map.empty())
+      notes << tr("The roughness is multiplied by the picture %1.").arg(toQt(m->roughness_map));
+  }
+  note_->setText(notes.join(QLatin1Char('\n')));
   note_->setVisible(!note_->text().isEmpty());
 }
 

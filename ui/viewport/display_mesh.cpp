@@ -49,10 +49,12 @@ class Builder {
   }
 
   DisplayMesh build() {
-    has_maps_ = !mesh_.uvs.empty() && std::ranges::any_of(materials_, [](const scene::Material& m) {
-      return m.diffuse_image != nullptr;
-    });
     has_gloss_ = anyGloss(materials_);
+    const bool rough = has_gloss_ && takeRoughnessMaps();
+    has_maps_ = !mesh_.uvs.empty() &&
+                (rough || std::ranges::any_of(materials_, [](const scene::Material& m) {
+                   return m.diffuse_image != nullptr;
+                 }));
     collectCorners();
     for (std::uint32_t c = 0; c < texels_.charts.charts.size(); ++c) {
       const transfer::Chart& chart = texels_.charts.charts[c];
@@ -74,6 +76,17 @@ class Builder {
   }
 
  private:
+  /// Whether there are any.
+  bool takeRoughnessMaps() {
+    if (mesh_.uvs.empty() || std::ranges::all_of(materials_, [](const scene::Material& m) {
+          return m.roughness_image == nullptr;
+        })) {
+      return false;
+    }
+    for (const scene::Material& m : materials_) out_.roughness_maps.push_back(m.roughness_image);
+    return true;
+  }
+
   [[nodiscard]] std::uint32_t materialOf(std::uint32_t triangle) const {
     return mesh_.material_of.empty() ? 0 : mesh_.material_of[triangle];
   }

@@ -46,6 +46,8 @@ struct DisplayMesh {
   std::vector<vec3> normals;
   std::vector<vec2> gloss;
   std::vector<vec2> uvs;  ///< per vertex; empty when no part has a map
+  /// Per material, null for those without: green is a share of the roughness. Empty: none has one.
+  std::vector<std::shared_ptr<const scene::Image>> roughness_maps;
   std::vector<std::uint32_t> indices;
   std::vector<Part> parts;
   std::vector<Patch> patches;  ///< all indices, in order; none reaches over a part's end

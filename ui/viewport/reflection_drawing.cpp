@@ -9,12 +9,14 @@
 #include "ui/viewport/reflection_shader.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 namespace soffit::ui {
 namespace {
 
-constexpr int kPosition = 0, kNormal = 4, kGloss = 6;  // as GlProgram binds them
+constexpr int kRoughnessUnit = 4;
+constexpr int kPosition = 0, kUv = 3, kNormal = 4, kGloss = 6;  // as GlProgram binds them
 static_assert(render::LiveProbes::kMostProbes <= kMostShaderProbes);
 static_assert(render::LampMaker::kMostLamps <= kMostShaderLamps);
 static_assert(render::LampMaker::kFewLuminaires * 4 <= kMostShaderLamps);  // pieces in a row
@@ -46,15 +48,25 @@ void ReflectionDrawing::setLight(std::shared_ptr<const render::LitProbes> probes
   light_dirty_ = true;
 }
 
+void ReflectionDrawing::releaseRuns() {
+  for (Run& run : runs_) run.map.release();
+  runs_.clear();
+}
+
 void ReflectionDrawing::uploadMesh() {
-  // What shines, and the vertices of that alone.
-  std::vector<std::uint32_t> indices;
+  releaseRuns();
+  // What shines, map by map (null sorts first), and the vertices of that alone.
+  std::map<std::shared_ptr<const scene::Image>, std::vector<std::uint32_t>> by_map;
   std::vector<std::uint32_t> number(mesh_->vertexCount(), 0xffffffffU);
   std::vector<vec3> positions;
   std::vector<vec3> normals;
   std::vector<vec2> gloss;
+  std::vector<vec2> uvs;
+  const bool mapped = !mesh_->roughness_maps.empty();
   for (std::size_t k = 0; k + 2 < mesh_->indices.size() && !mesh_->gloss.empty(); k += 3) {
-    if (mesh_->gloss[mesh_->indices[k]].x <= 0.0F) continue;
+    const std::uint32_t corner = mesh_->indices[k];
+    if (mesh_->gloss[corner].x <= 0.0F) continue;
+    auto& indices = by_map[mapped ? mesh_->roughness_maps[mesh_->material_of[corner]] : nullptr];
     for (std::size_t c = 0; c < 3; ++c) {
       const std::uint32_t v = mesh_->indices[k + c];
       if (number[v] == 0xffffffffU) {
@@ -62,17 +74,41 @@ void ReflectionDrawing::uploadMesh() {
         positions.push_back(mesh_->positions[v]);
         normals.push_back(mesh_->normals[v]);
         gloss.push_back(mesh_->gloss[v]);
+        if (mapped) uvs.push_back(mesh_->uvs[v]);
       }
       indices.push_back(number[v]);
     }
   }
-  index_count_ = static_cast<int>(indices.size());
-  if (indices.empty()) return;
+  if (by_map.empty()) return;
+  std::vector<std::uint32_t> indices;
+  for (const auto& [map, run] : by_map) {
+    runs_.push_back({static_cast<int>(indices.size()), static_cast<int>(run.size()), {}});
+    if (map != nullptr) runs_.back().map.make(*map);
+    indices.insert(indices.end(), run.begin(), run.end());
+  }
   glBindVertexArray(array_);
   attribute(kPosition, positions_, positions.data(), positions.size(), 3);
   attribute(kNormal, normals_, normals.data(), normals.size(), 3);
   attribute(kGloss, gloss_, gloss.data(), gloss.size(), 2);
+  if (mapped) {
+    attribute(kUv, uvs_, uvs.data(), uvs.size(), 2);
+  } else {
+    glDisableVertexAttribArray(kUv);
+  }
   indices_.fill(GlBuffer::Kind::indices, indices.data(), indices.size() * sizeof(std::uint32_t));
+  glBindVertexArray(0);
+}
+
+void ReflectionDrawing::drawRuns() const {
+  glBindVertexArray(array_);
+  for (const Run& run : runs_) {
+    const bool mapped = run.map.id() != 0;
+    program_.set("mapped", mapped ? 1 : 0);
+    if (mapped) run.map.bind(kRoughnessUnit);
+    const auto first = static_cast<std::size_t>(run.first) * sizeof(std::uint32_t);
+    glDrawElements(GL_TRIANGLES, run.count, GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(first));  // NOLINT
+  }
   glBindVertexArray(0);
 }
 
@@ -172,7 +208,7 @@ void ReflectionDrawing::draw(const glm::mat4& clip_from_scene, const glm::vec4& 
     return;
   }
   upload();
-  if (index_count_ == 0 || !program_.ready()) return;
+  if (runs_.empty() || !program_.ready()) return;
   setUniforms(clip_from_scene, eye);
   maps_.bind(0);
   depths_.bind(1);
@@ -182,9 +218,7 @@ void ReflectionDrawing::draw(const glm::mat4& clip_from_scene, const glm::vec4& 
   glBlendFunc(GL_ONE, GL_ONE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   glDepthMask(GL_FALSE);
-  glBindVertexArray(array_);
-  glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
-  glBindVertexArray(0);
+  drawRuns();
   glDepthMask(GL_TRUE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDisable(GL_BLEND);
@@ -218,6 +252,7 @@ void ReflectionDrawing::setUniforms(const glm::mat4& clip_from_scene, const glm:
   program_.set("depths", 1);
   program_.set("lobes", 2);
   program_.set("lamps", 3);
+  program_.set("roughness_map", kRoughnessUnit);
   const auto lamps = light_->lamps();
   const auto lamp_count = std::min<std::size_t>(lamps.size(), kMostShaderLamps);
   program_.set("lamp_count", static_cast<int>(lamp_count));
@@ -228,12 +263,12 @@ void ReflectionDrawing::setUniforms(const glm::mat4& clip_from_scene, const glm:
 }
 
 void ReflectionDrawing::release() {
-  for (GlBuffer* buffer : {&positions_, &normals_, &gloss_, &indices_}) buffer->release();
+  for (GlBuffer* buffer : {&positions_, &normals_, &gloss_, &uvs_, &indices_}) buffer->release();
   for (GlLayers* layers : {&maps_, &depths_, &lobes_, &lamps_}) layers->release();
   program_.release();
+  releaseRuns();
   if (array_ != 0) glDeleteVertexArrays(1, &array_);
   array_ = 0;
-  index_count_ = 0;
   uploaded_.clear();
   lamp_maps_.clear();
 }

@@ -32,6 +32,8 @@ class ReflectionDrawing {
   void uploadMaps();
   void uploadLobes();
   void uploadLamps();
+  void drawRuns() const;
+  void releaseRuns();
   void setUniforms(const glm::mat4& clip_from_scene, const glm::vec4& eye) const;
 
   std::shared_ptr<const DisplayMesh> mesh_;
@@ -44,8 +46,15 @@ class ReflectionDrawing {
   GlBuffer positions_;
   GlBuffer normals_;
   GlBuffer gloss_;
+  GlBuffer uvs_;
   GlBuffer indices_;
-  int index_count_ = 0;
+  /// Triangles of one roughness map; those without come first.
+  struct Run {
+    int first = 0;
+    int count = 0;
+    GlTexture map;  ///< not made: none
+  };
+  std::vector<Run> runs_;
   GlLayers maps_;
   GlLayers depths_;
   GlLayers lobes_;

@@ -16,15 +16,18 @@ invariant gl_Position;
 in vec3 position;
 in vec3 normal;
 in vec2 gloss;
+in vec2 uv;
 uniform mat4 clip_from_scene;
 out vec3 place;
 out vec3 facing;
 flat out vec2 lobe;
+out vec2 picture;
 void main() {
   gl_Position = clip_from_scene * vec4(position, 1.0);
   place = position;
   facing = normal;
   lobe = gloss;
+  picture = uv;
 }
 )";
 
@@ -33,6 +36,9 @@ constexpr const char* kBody = R"(
 in vec3 place;
 in vec3 facing;
 flat in vec2 lobe;
+in vec2 picture;
+uniform int mapped;
+uniform sampler2D roughness_map;
 uniform vec4 eye;
 uniform int probe_count;
 uniform vec3 probe[MOST_PROBES];
@@ -180,6 +186,10 @@ void main() {
     cosine = dot(n, to_eye);
   }
   float f0 = lobe.x, alpha = lobe.y;
+  if (mapped == 1) {  // core/render/surface_sample.h
+    float share = texture(roughness_map, vec2(picture.x, 1.0 - picture.y)).g;
+    alpha = max(alpha * share * share, min(alpha, MIRROR_ALPHA));
+  }
   cosine = clamp(cosine, TABLE_COSINE, 1.0);
   vec4 base, rise;  // weight, sine of the axis, alpha
   float sine = sqrt(max(1.0e-12, (1.0 - cosine) * (1.0 + cosine)));
@@ -247,7 +257,7 @@ void main() {
     sum += weight[k] * rise.x * blurred(i, seen, min(rise.z * t / away, 1.0));
   }
   sum /= max(weight.x + weight.y + weight.z, 1.0e-30);
-  for (int i = 0; i < lamp_count; ++i) sum += highlight(i, p, n, to_eye, f0, lobe.y);
+  for (int i = 0; i < lamp_count; ++i) sum += highlight(i, p, n, to_eye, f0, alpha);
   color = vec4(sum, 0.0);
 }
 )";

@@ -62,10 +62,13 @@ void readPhong(const aiMaterial& m, scene::Material& out) {
   if (const auto exponent = number(m, AI_MATKEY_SHININESS)) {
     out.roughness = roughnessOfExponent(*exponent);
   }
+  // A map is multiplied by the factor; without one it speaks for itself.
+  if (!out.roughness_map.empty()) out.roughness = 1.0;
   if (const auto roughness = number(m, AI_MATKEY_ROUGHNESS_FACTOR)) out.roughness = *roughness;
 }
 
-// glTF's metallic-roughness model; a texture for either is not read, and means "no metal".
+// glTF's metallic-roughness model. The texture's roughness is read (roughness_map); where it could
+// say which parts are metal, none is.
 void readMetallicRoughness(const aiMaterial& m, ConvertedMaterial& out) {
   const dvec3 base = out.material.diffuse;
   const bool textured = hasTexture(m, aiTextureType_METALNESS) ||
@@ -78,16 +81,17 @@ void readMetallicRoughness(const aiMaterial& m, ConvertedMaterial& out) {
     out.described = hasTexture(m, aiTextureType_BASE_COLOR);
     metallic = 0.0;
   }
-  if (textured) {
+  if (textured && metallic > 0.0) {
     metallic = 0.0;
-    roughness = 0.5;
-    out.warnings.push_back("its metal and roughness texture is not read; taken as no metal");
+    out.warnings.push_back("its metal texture is not read; taken as no metal");
   }
+  const bool mapped = !out.material.roughness_map.empty();
+  if (textured && !mapped) roughness = 0.5;
   constexpr double kDielectric = 0.04;
   constexpr double kMatte = 0.95;  // from here on the lobe is as wide as a diffuse one
   out.material.diffuse = base * (1.0 - metallic);
   out.material.specular = kDielectric * (1.0 - metallic) + luminance(base) * metallic;
-  if (metallic == 0.0 && roughness > kMatte) out.material.specular = 0.0;
+  if (metallic == 0.0 && roughness > kMatte && !mapped) out.material.specular = 0.0;
   if (out.material.specular > 0.0) out.material.roughness = roughness;
 }
 
@@ -149,6 +153,10 @@ void readTextures(const aiMaterial& m, const MaterialContext& context,
   out.material.diffuse_map = find({aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE});
   // A bump map is heights, not normals: only what is called a normal map is one.
   out.material.normal_map = find({aiTextureType_NORMALS, aiTextureType_NORMAL_CAMERA});
+  // glTF's one picture of roughness (green) and metal (blue) is "unknown" to Assimp 5.2.
+  out.material.roughness_map = context.format == ModelFormat::kGltf
+                                   ? find({aiTextureType_DIFFUSE_ROUGHNESS, aiTextureType_UNKNOWN})
+                                   : find({aiTextureType_DIFFUSE_ROUGHNESS});
 }
 
 // Names that importers make up where a file has no material.

@@ -102,6 +102,7 @@ void visitMaterial(Archive& archive, Material& m) {
   archive.value(m.roughness);
   archive.text(m.diffuse_map);
   archive.text(m.normal_map);
+  archive.text(m.roughness_map);
   archive.value(m.glass);
 }
 

@@ -19,7 +19,8 @@ constexpr std::size_t kMostBytes = std::size_t{4} << 30U;
 std::set<std::string> textureFiles(const LoadedModel& model, const fs::path& folder) {
   std::set<std::string> names;
   for (const scene::Material& material : model.materials) {
-    for (const std::string& map : {material.diffuse_map, material.normal_map}) {
+    for (const std::string& map :
+         {material.diffuse_map, material.normal_map, material.roughness_map}) {
       std::error_code ignored;
       if (!map.empty() && fs::is_regular_file(folder / map, ignored)) names.insert(map);
     }

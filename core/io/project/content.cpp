@@ -158,6 +158,10 @@ scene::Material applyMaterialEdit(const scene::Material& material, const Materia
     result.normal_map = *edit.normal_map;
     result.normal_image = nullptr;
   }
+  if (edit.roughness_map && *edit.roughness_map != result.roughness_map) {
+    result.roughness_map = *edit.roughness_map;
+    result.roughness_image = nullptr;
+  }
   if (edit.glass) result.glass = edit.glass;
   if (edit.opaque) result.glass = std::nullopt;
   if (result.glass) {

@@ -26,6 +26,7 @@ struct MaterialEdit {
   std::optional<double> roughness;
   std::optional<std::string> diffuse_map;
   std::optional<std::string> normal_map;
+  std::optional<std::string> roughness_map;
   std::optional<scene::Glass> glass;
   bool opaque = false;  ///< "glass": null, against a file that says glass
 };

@@ -45,9 +45,9 @@ struct LoadedPhotometry {
 /// Errors: unreadable, or a kind of file other than the key that names it.
 Result<LoadedPhotometry> loadPhotometry(const std::filesystem::path& path);
 
-enum class ImageUse { color, normal };
+enum class ImageUse { color, data };
 
-/// color: decoded from sRGB to linear; normal: as stored, 0..1. Three channels.
+/// color: decoded from sRGB to linear; data (normals, roughness): as stored, 0..1. Three channels.
 Result<std::shared_ptr<const scene::Image>> loadImage(const std::filesystem::path& path,
                                                       ImageUse use);
 

@@ -112,8 +112,10 @@ std::vector<scene::Material> loadMaterials(const MergedGeometry& geometry,
     const std::string path = joinPath("materials", material.name);
     loadMap(material.diffuse_map, edit.diffuse_map.has_value(), path + ".diffuse_map",
             ImageUse::color, material.diffuse_image, assets, report);
-    loadMap(material.normal_map, edit.normal_map.has_value(), path + ".normal_map",
-            ImageUse::normal, material.normal_image, assets, report);
+    loadMap(material.normal_map, edit.normal_map.has_value(), path + ".normal_map", ImageUse::data,
+            material.normal_image, assets, report);
+    loadMap(material.roughness_map, edit.roughness_map.has_value(), path + ".roughness_map",
+            ImageUse::data, material.roughness_image, assets, report);
     if (!material.glass && !geometry.described[i] && !edit.diffuse) {
       undescribed.push_back(material.name);
     }

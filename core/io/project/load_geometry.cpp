@@ -32,6 +32,7 @@ void addMaterials(const LoadedModel& model, const GeometryEntry& entry, MergedGe
     material.name = model.mesh->materials[i];
     material.diffuse_map = besideModel(entry.file, material.diffuse_map);
     material.normal_map = besideModel(entry.file, material.normal_map);
+    material.roughness_map = besideModel(entry.file, material.roughness_map);
     const auto known = std::ranges::find(merged.materials, material.name, &scene::Material::name);
     if (known == merged.materials.end()) {
       merged.materials.push_back(std::move(material));

@@ -60,7 +60,7 @@ NamedFiles filesOf(const Project& project) {
   }
   for (const auto* materials : {&project.scene.materials, &project.file_materials}) {
     for (const scene::Material& m : *materials) {
-      named.pictures.insert({m.diffuse_map, m.normal_map});
+      named.pictures.insert({m.diffuse_map, m.normal_map, m.roughness_map});
     }
   }
   if (project.scene.environment) {

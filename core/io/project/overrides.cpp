@@ -117,8 +117,9 @@ void setBelow(Json& object, std::string_view path, Json value) {
 }
 
 /// The fields of a material, deepest first: what a path under "materials" may end in.
-constexpr std::array<std::string_view, 8> kMaterialFields{
-    ".glass.index", ".glass.transmittance", ".diffuse_map", ".normal_map", ".diffuse",
+constexpr std::array<std::string_view, 9> kMaterialFields{
+    ".glass.index", ".glass.transmittance", ".diffuse_map",
+    ".normal_map",  ".roughness_map",       ".diffuse",
     ".specular",    ".roughness",           ".glass"};
 
 Result<std::string> setMaterial(Json& root, std::string_view path, Json value, Report& report) {

@@ -101,6 +101,7 @@ Json materialFields(const scene::Material& material) {
   json["roughness"] = material.roughness;
   json["diffuse_map"] = material.diffuse_map;
   json["normal_map"] = material.normal_map;
+  json["roughness_map"] = material.roughness_map;
   json["glass"] = material.glass ? toJson(*material.glass) : Json();
   return json;
 }

@@ -71,6 +71,7 @@ MaterialEdit readMaterial(const Json& value, const std::string& path, Report& re
   reader.read("roughness", edit.roughness);
   reader.read("diffuse_map", edit.diffuse_map);
   reader.read("normal_map", edit.normal_map);
+  reader.read("roughness_map", edit.roughness_map);
   const Json* glass = reader.get("glass");
   edit.opaque = glass != nullptr && glass->isNull();
   if (glass != nullptr && !edit.opaque) {

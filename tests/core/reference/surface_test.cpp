@@ -47,6 +47,16 @@ TEST(SurfaceAt, TakesTheMapOntoTheDiffuseReflectance) {
   expectNear(p.bsdf.normal, {0, 0, 1});
 }
 
+TEST(SurfaceAt, TakesTheGreenOfTheRoughnessMap) {
+  scene::Material m = test::matte(0.5);
+  m.specular = 0.04;
+  m.roughness = 0.8;
+  m.roughness_image = std::make_shared<scene::Image>(scene::Image{1, 1, 3, {0.0F, 0.5F, 1.0F}});
+  const scene::Scene s = test::Builder().quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, m).scene();
+  const geometry::Hit hit{.triangle = 0, .t = 1.0F, .u = 0.2F, .v = 0.2F};
+  EXPECT_NEAR(surfaceAt(*s.mesh, s.materials, hit, {0, 0, -1}).bsdf.alpha, 0.16, 1e-12);
+}
+
 TEST(SurfaceAt, ReflectsOnTheSideOfTheRay) {
   const scene::Scene s =
       test::Builder().quad({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, test::matte(0.5)).scene();

@@ -166,6 +166,40 @@ TEST(RoughReflection, OfAPointSourceIsTheBrdf) {
   EXPECT_NEAR(middle(film, 2), expected, 5e-3 * expected);  // the angles differ over the pixels
 }
 
+TEST(RoughReflection, EachPartOfARoughnessMapIsThatMaterial) {
+  // A wide floor under a lamp, seen from above; the map parts it at x = 0: 0.2 to the left, 0.6 to
+  // the right.
+  const auto picture = [](double roughness, const std::shared_ptr<const scene::Image>& map) {
+    SceneBuilder builder;
+    builder.addQuad({-4, -2, 0}, {8, 0, 0}, {0, 4, 0},
+                    builder.addMaterial({.diffuse = dvec3(0.0),
+                                         .specular = 0.1,
+                                         .roughness = roughness,
+                                         .roughness_image = map}));
+    const auto scene = builder.build({lamp(light::Sphere{0.1}, {0, 1, 1.5}, 8000.0)});
+    const scene::Camera camera{"A", {0, -2, 3}, {0, 0, 0}, 50.0};
+    return renderView(*scene, camera, EvenLight(vec3(100)), options(48)).value();
+  };
+  scene::Image halves{64, 1, 3, {}};
+  for (int x = 0; x < 64; ++x)
+    halves.pixels.insert(halves.pixels.end(), {0, x < 32 ? 0.25F : 0.75F, 0});
+  const Film both = picture(0.8, std::make_shared<const scene::Image>(std::move(halves)));
+  const Film left = picture(0.8 * 0.25, nullptr);
+  const Film right = picture(0.8 * 0.75, nullptr);
+  double apart = 0.0;
+  for (int y = 4; y < 44; ++y) {
+    for (int x = 4; x < 44; ++x) {
+      if (std::abs(x - 24) < 6) continue;  // the seam, and the blocks that are smoothed across it
+      const float found = both.radiance[both.at(x, y)].y;
+      const float same = (x < 24 ? left : right).radiance[both.at(x, y)].y;
+      EXPECT_NEAR(found, same, 2e-5F * same + 1e-5F) << x << ' ' << y;
+      apart = std::max(apart, std::abs(static_cast<double>(left.radiance[both.at(x, y)].y -
+                                                           right.radiance[both.at(x, y)].y)));
+    }
+  }
+  EXPECT_GT(apart, 1.0) << "the halves differ at all, cd/m^2";
+}
+
 TEST(RoughReflection, LampsAreHiddenByWalls) {
   SceneBuilder builder;
   builder.addQuad({-50, -50, 0}, {100, 0, 0}, {0, 100, 0},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/render/surface_sample.h"
 
+#include "core/render/microfacet.h"
 #include "tests/core/render/test_scene.h"
 
 #include <gtest/gtest.h>
@@ -75,6 +76,25 @@ TEST(SurfaceSample, AlbedoFollowsTheTexture) {
   // u along x, v along y; the picture's first row is at the top, v = 1.
   EXPECT_EQ(shoot(*scene, {0.25F, 0.75F, 1}, {0, 0, -1}).albedo, vec3(0.5F, 0, 0));
   EXPECT_EQ(shoot(*scene, {0.25F, 0.25F, 1}, {0, 0, -1}).albedo, vec3(0, 0, 0.5F));
+}
+
+TEST(SurfaceSample, RoughnessFollowsItsMap) {
+  const auto tiled = [](double roughness) {
+    SceneBuilder builder;
+    auto image =
+        std::make_shared<scene::Image>(scene::Image{2, 1, 3, {0.1F, 0.5F, 0.9F, 0.1F, 0.0F, 0.9F}});
+    builder.addQuad(
+        {0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+        builder.addMaterial({.specular = 0.04, .roughness = roughness, .roughness_image = image}));
+    return builder.build();
+  };
+  const auto scene = tiled(0.8);
+  EXPECT_NEAR(shoot(*scene, {0.25F, 0.5F, 1}, {0, 0, -1}).alpha, 0.16F, 1e-6F);
+  EXPECT_EQ(shoot(*scene, {0.75F, 0.5F, 1}, {0, 0, -1}).alpha, kMirrorAlpha)
+      << "a map makes no mirror";
+  EXPECT_NEAR(scene->material(0).least_alpha, kMirrorAlpha, 1e-9F);
+  EXPECT_NEAR(scene->material(0).mean_alpha, 0.04F, 1e-6F) << "of the mean roughness 0.2";
+  EXPECT_EQ(shoot(*tiled(0.0), {0.25F, 0.5F, 1}, {0, 0, -1}).alpha, 0.0F) << "what is one stays it";
 }
 
 TEST(SurfaceSample, NormalMapsBendTheShadingNormalAlongUAndV) {

@@ -2,6 +2,7 @@
 #include "core/scene/demand.h"
 
 #include "core/scene/equality.h"
+#include "core/scene/roughness.h"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +20,8 @@ Scene emptyScene() {
 bool needs(const Scene& scene, const char* what) {
   const Demand demand = demandOf(scene);
   const bool needed = std::ranges::find(demand.needed, what) != demand.needed.end();
-  const bool skipped = std::ranges::find(demand.skipped, what, &Demand::Skip::what) !=
-                       demand.skipped.end();
+  const bool skipped =
+      std::ranges::find(demand.skipped, what, &Demand::Skip::what) != demand.skipped.end();
   EXPECT_NE(needed, skipped) << what << " is said once";
   return needed;
 }
@@ -42,6 +43,41 @@ TEST(Demand, LightFromOutsideIsNeededWhereThereIsAny) {
   EXPECT_FALSE(needs(scene, "sunlight")) << "it is night";
   scene.materials.emplace_back().glass = Glass{};
   EXPECT_TRUE(needs(scene, "light through glass"));
+}
+
+TEST(Demand, MapsAreNeededWhereMaterialsHaveThem) {
+  Scene scene = emptyScene();
+  const auto image = std::make_shared<const Image>(Image{1, 1, 3, {0.5F, 0.5F, 0.5F}});
+  Material& m = scene.materials.emplace_back();
+  for (const char* what : {"pictures on surfaces", "bent normals", "roughness that changes"}) {
+    EXPECT_FALSE(needs(scene, what)) << what;
+  }
+  m.roughness_image = image;
+  EXPECT_FALSE(needs(scene, "roughness that changes")) << "there is no lobe";
+  m.specular = 0.04;
+  EXPECT_TRUE(needs(scene, "roughness that changes"));
+  m.diffuse_image = image;
+  EXPECT_TRUE(needs(scene, "pictures on surfaces"));
+  m.normal_image = image;
+  EXPECT_TRUE(needs(scene, "bent normals"));
+}
+
+TEST(RoughnessRange, IsTheMapsGreenTimesTheFactor) {
+  Material m{.roughness = 0.8};
+  EXPECT_EQ(roughnessRange(m).least, 0.8);
+  EXPECT_EQ(roughnessRange(m).mean, 0.8);
+  m.roughness_image =
+      std::make_shared<const Image>(Image{2, 1, 3, {0.0F, 0.25F, 1.0F, 1.0F, 0.75F, 0.0F}});
+  EXPECT_DOUBLE_EQ(roughnessRange(m).least, 0.2);
+  EXPECT_DOUBLE_EQ(roughnessRange(m).mean, 0.4);
+}
+
+TEST(RoughnessRange, LooksAtPartOfALargePicture) {
+  Image large{2000, 3, 3, {}};
+  large.pixels.assign(std::size_t{2000} * 3 * 3, 0.5F);
+  const Material m{.roughness = 0.6,
+                   .roughness_image = std::make_shared<const Image>(std::move(large))};
+  EXPECT_NEAR(roughnessRange(m).mean, 0.3, 1e-12);
 }
 
 TEST(Environment, IsComparedByContent) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/render/mip_map.h"
 #include "core/render/picture.h"
 #include "tests/ui/viewport/cornell_view.h"
 #include "ui/jobs/live_reflections.h"
@@ -23,6 +24,7 @@ class ReflectionViewTest : public QObject {
         m.roughness = std::min(roughness, 1.0);
         roughness += 0.2;
       }
+      addRoughnessMap(scene);
     }));
     auto with = std::make_shared<LightFrame>(*lit_->frame);
     LiveReflections reflections;
@@ -117,6 +119,27 @@ class ReflectionViewTest : public QObject {
   }
 
  private:
+  /// From 45 to 100 % of the roughness in stripes, on two of three materials; u and v are metres.
+  static void addRoughnessMap(scene::Scene& scene) {
+    geometry::Mesh mesh = *scene.mesh;
+    mesh.uvs.clear();
+    for (const vec3& p : mesh.positions) mesh.uvs.emplace_back(p.x + p.z, p.y - 0.5F * p.z);
+    scene.mesh = std::make_shared<const geometry::Mesh>(std::move(mesh));
+    const auto map = std::make_shared<const scene::Image>(scene::Image{
+        2, 2, 3, {0.0F, 0.45F, 0.0F, 0.0F, 0.8F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.6F, 0.0F}});
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+      if (i % 3 != 0) scene.materials[i].roughness_image = map;
+    }
+  }
+  /// Green of the map where the ray has met the mesh.
+  static float roughnessShare(const geometry::Mesh& mesh, const geometry::Hit& hit,
+                              const scene::Image& map) {
+    const uvec3& t = mesh.triangles[hit.triangle];
+    const vec2 uv =
+        (1.0F - hit.u - hit.v) * mesh.uvs[t.x] + hit.u * mesh.uvs[t.y] + hit.v * mesh.uvs[t.z];
+    return render::MipMap(map).at(uv, 1.0F).y;
+  }
+
   static constexpr int kWidth = 640;
   static constexpr int kHeight = 400;
 
@@ -143,9 +166,14 @@ class ReflectionViewTest : public QObject {
     const scene::Material& m = lit_->project.scene.materials[mesh.material_of[hit.triangle]];
     vec3 normal = solver.scene().normals[hit.triangle];
     if (glm::dot(normal, ray.direction) > 0.0F) normal = -normal;
+    float alpha = static_cast<float>(m.roughness * m.roughness);
+    if (m.roughness_image != nullptr) {
+      const float share = roughnessShare(mesh, hit, *m.roughness_image);
+      alpha *= share * share;
+    }
     return with_->reflections->reflected(
         {ray.origin + hit.t * ray.direction, normal, -ray.direction},
-        static_cast<float>(m.specular), static_cast<float>(m.roughness * m.roughness));
+        static_cast<float>(m.specular), alpha);
   }
 
   std::unique_ptr<Lit> lit_;

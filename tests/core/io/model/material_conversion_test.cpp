@@ -181,14 +181,44 @@ TEST(GltfMaterials, TexturesInsideTheFileAreHandedOver) {
   EXPECT_EQ(model.embedded_textures[0].bytes, signature);
 }
 
-TEST(GltfMaterials, AMetalAndRoughnessTextureIsReported) {
+TEST(GltfMaterials, ARoughnessTextureMultipliesTheFactor) {
+  const ScratchFolder folder;
+  folder.write("mr.png", "x");
+  const auto with = [&](const char* factors) {
+    return gltfWith(folder,
+                    std::string(R"({"name":"m","pbrMetallicRoughness":{"baseColorFactor":)"
+                                R"([0.5,0.5,0.5,1],"metallicRoughnessTexture":{"index":0})") +
+                        factors + "}}",
+                    R"("textures":[{"source":0}],"images":[{"uri":"mr.png"}],)");
+  };
+  const ImportedModel plain = with(R"(,"metallicFactor":0)");
+  EXPECT_EQ(plain.materials.at(0).roughness_map, "mr.png");
+  EXPECT_NEAR(plain.materials.at(0).roughness, 1.0, kSingle);
+  EXPECT_NEAR(plain.materials.at(0).specular, 0.04, kSingle);
+  EXPECT_THAT(plain.warnings, Not(Contains(HasSubstr("metal texture"))));
+  const ImportedModel half = with(R"(,"metallicFactor":0,"roughnessFactor":0.5)");
+  EXPECT_NEAR(half.materials.at(0).roughness, 0.5, kSingle);
+}
+
+TEST(ObjMaterials, ARoughnessPictureIsRead) {
+  const ScratchFolder folder;
+  folder.write("r.png", "x");
+  folder.write("a.mtl", "newmtl m\nKd 0.5 0.5 0.5\nKs 0.5 0.5 0.5\nillum 2\nmap_Pr r.png\n");
+  const auto model = importModel(
+      folder.write("a.obj", "mtllib a.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), {});
+  ASSERT_TRUE(model) << model.error().message();
+  EXPECT_EQ(model->materials.at(0).roughness_map, "r.png");
+  EXPECT_NEAR(model->materials.at(0).roughness, 1.0, kSingle);
+}
+
+TEST(GltfMaterials, AMetalTextureIsReported) {
   const ScratchFolder folder;
   folder.write("mr.png", "x");
   const ImportedModel model = gltfWith(
       folder, R"({"name":"m","pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}}})",
       R"("textures":[{"source":0}],"images":[{"uri":"mr.png"}],)");
   EXPECT_NEAR(model.materials.at(0).specular, 0.0, kSingle);  // its white base leaves no room
-  EXPECT_THAT(model.warnings, Contains(HasSubstr("metal and roughness texture is not read")));
+  EXPECT_THAT(model.warnings, Contains(HasSubstr("metal texture is not read")));
 }
 
 TEST(OtherMaterials, FormatsWithoutColorsAreUndescribed) {

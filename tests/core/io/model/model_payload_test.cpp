@@ -23,6 +23,7 @@ ModelPayload sample() {
   material.roughness = 0.7;
   material.diffuse_map = "oak.png";
   material.normal_map = "oak_n.png";
+  material.roughness_map = "oak_r.png";
   material.glass = scene::Glass{1.6, 0.7};
   out.model.materials = {material};
   out.model.described = {true};
@@ -57,6 +58,7 @@ TEST(ModelPayload, ComesBackAsItWas) {
   EXPECT_EQ(material.roughness, 0.7);
   EXPECT_EQ(material.diffuse_map, "oak.png");
   EXPECT_EQ(material.normal_map, "oak_n.png");
+  EXPECT_EQ(material.roughness_map, "oak_r.png");
   ASSERT_TRUE(material.glass);
   EXPECT_EQ(material.glass->transmittance, 0.7);
   EXPECT_EQ(out.model.described, in.model.described);

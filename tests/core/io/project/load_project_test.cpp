@@ -192,7 +192,7 @@ TEST(LoadProject, MeshLuminairesAndMapsAreLoaded) {
   ASSERT_TRUE(writeImage(folder.path() / "oak.hdr", picture));
   const auto project = folder.load(
       R"({"soffit": 1, "geometry": [{"file": "quad.obj"}],
-          "materials": {"floor": {"diffuse_map": "oak.hdr"}},
+          "materials": {"floor": {"diffuse_map": "oak.hdr", "roughness_map": "oak.hdr"}},
           "luminaires": [{"name": "L", "shape": {"mesh": "quad.obj", "unit": 0.1, "up": "y"}, "flux": 10}]})");
   ASSERT_TRUE(project) << project.error().message();
   const auto& shape = std::get<light::MeshShape>(project->scene.luminaires[0].shape);
@@ -200,6 +200,9 @@ TEST(LoadProject, MeshLuminairesAndMapsAreLoaded) {
   EXPECT_EQ(shape.mesh->bounds().size(), vec3(0.1F, 0.1F, 0.1F));
   ASSERT_NE(project->scene.materials[0].diffuse_image, nullptr);
   EXPECT_EQ(project->scene.materials[0].diffuse_image->width, 2);
+  EXPECT_EQ(project->scene.materials[0].roughness_map, "oak.hdr");
+  ASSERT_NE(project->scene.materials[0].roughness_image, nullptr);
+  EXPECT_NE(project->scene.materials[0].roughness_image, project->scene.materials[0].diffuse_image);
 }
 
 TEST(LoadProject, AMapThatOnlyTheModelNamesMayBeMissing) {

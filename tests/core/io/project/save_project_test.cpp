@@ -93,6 +93,21 @@ TEST(SaveProject, EverySectionSurvivesAnEdit) {
   EXPECT_EQ(again->geometry[0].rotate_deg, dvec3(0, 0, 90));
 }
 
+TEST(SaveProject, ARoughnessMapIsWrittenAndReadAgain) {
+  Saved folder;
+  folder.write("rough.hdr", std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n") +
+                                std::string("\x80\x40\x80\x80\x80\x20\x80\x80", 8));
+  folder.project.scene.materials[1].roughness_map = "rough.hdr";
+  ASSERT_TRUE(saveProject(folder.project, folder.project.path));
+  EXPECT_EQ(folder.json()["materials"]["wall"]["roughness_map"], Json("rough.hdr"));
+  const auto again = loadProject(folder.project.path);
+  ASSERT_TRUE(again) << again.error().message();
+  const auto& image = again->scene.materials[1].roughness_image;
+  ASSERT_NE(image, nullptr);
+  EXPECT_EQ(image->pixels[1], 0.25F);
+  EXPECT_EQ(image->pixels[4], 0.125F);
+}
+
 TEST(SaveProject, SurroundingsAreWrittenOfEveryKind) {
   Saved folder;
   folder.write("probe.hdr", std::string("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n") +
