@@ -182,6 +182,30 @@
         <source>following reflections</source>
         <translation>Reflexe werden verfolgt</translation>
     </message>
+    <message>
+        <source>pictures on surfaces</source>
+        <translation>Bilder auf Flächen</translation>
+    </message>
+    <message>
+        <source>no material has a diffuse map</source>
+        <translation>kein Material hat ein Farbbild</translation>
+    </message>
+    <message>
+        <source>bent normals</source>
+        <translation>geneigte Normalen</translation>
+    </message>
+    <message>
+        <source>no material has a normal map</source>
+        <translation>kein Material hat ein Normalenbild</translation>
+    </message>
+    <message>
+        <source>roughness that changes</source>
+        <translation>wechselnde Rauheit</translation>
+    </message>
+    <message>
+        <source>no material has a roughness map</source>
+        <translation>kein Material hat ein Rauheitsbild</translation>
+    </message>
 </context>
 <context>
     <name>DragSession</name>
