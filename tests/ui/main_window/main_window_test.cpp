@@ -61,7 +61,7 @@ class MainWindowTest : public QObject {
     copy.close();
     window_ = std::make_unique<MainWindow>();
     window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get(), kPatienceMs));
     window_->activateWindow();  // no window manager does; shortcuts want it
     QVERIFY(QTest::qWaitForWindowActive(window_.get()));
     window_->open(project_);

@@ -69,8 +69,8 @@ class ProjectFilesTest : public QObject {
     QVERIFY(QFile::exists(place));
     // One that is closed without changes leaves nothing.
     QVERIFY(fixture_->trigger(QStringLiteral("&New")));
-    QTRY_VERIFY_WITH_TIMEOUT(
-        fixture_->window->session() != nullptr && document().path() != place, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(fixture_->window->session() != nullptr && document().path() != place,
+                             kPatienceMs);
     const QString second = document().path();
     QVERIFY(fixture_->window->close());
     QVERIFY(!QFile::exists(second));
@@ -191,11 +191,12 @@ class ProjectFilesTest : public QObject {
     QVERIFY(!document().luminaires().front().on);
     QCOMPARE(document().path(), fixture_->project);
     // What was recovered is kept anew at once, then the old version goes.
-    QTRY_VERIFY(!QFile::exists(recoveryFile(found.front().id, QStringLiteral("json"))));
+    QTRY_VERIFY_WITH_TIMEOUT(!QFile::exists(recoveryFile(found.front().id, QStringLiteral("json"))),
+                             kPatienceMs);
     QVERIFY(kept());
     QVERIFY(fixture_->trigger(QStringLiteral("&Save")));
     QVERIFY(!document().isModified());
-    QTRY_VERIFY(!kept());
+    QTRY_VERIFY_WITH_TIMEOUT(!kept(), kPatienceMs);
     const auto saved = io::loadProject(fixture_->project.toStdString());
     QVERIFY(saved.ok());
     QVERIFY(!saved->scene.layouts.front().edits.empty());

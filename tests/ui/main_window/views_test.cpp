@@ -226,7 +226,7 @@ class ViewsTest : public QObject {
     ViewGrid& views = area->grid();
     views.setArrangement(Arrangement::four);
     window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(window.get(), kPatienceMs));
     QVERIFY(views.setLook({}).ok());
     views.setScene(scene);
     views.setLuminaires(
@@ -236,7 +236,7 @@ class ViewsTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(views.pane(3).view().frame(), frame, 20000);
     area->setParent(nullptr);
     area->show();
-    QVERIFY(QTest::qWaitForWindowExposed(area.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(area.get(), kPatienceMs));
     window.reset();
     for (std::size_t i = 0; i < 4; ++i) {
       SceneView& view = views.pane(i).view();

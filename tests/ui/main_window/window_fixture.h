@@ -72,7 +72,7 @@ class WindowFixture {
   bool showWindow() {
     window = std::make_unique<MainWindow>();
     window->show();
-    return QTest::qWaitForWindowExposed(window.get());
+    return QTest::qWaitForWindowExposed(window.get(), kPatienceMs);
   }
   /// Waits for the final light of what is shown.
   bool lit() {

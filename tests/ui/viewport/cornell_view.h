@@ -19,6 +19,9 @@
 /// A lit view for tests of what the mouse does in it.
 namespace soffit::ui {
 
+/// How long a window may take to show, ms: the machine may be busy.
+constexpr int kExposedMs = 60000;
+
 /// The Cornell-like sample with few texels and its light. change: of the scene, before it is lit.
 struct Lit {
   io::Project project;
@@ -68,7 +71,7 @@ struct CornellView {
   [[nodiscard]] bool show(const LightFramePtr& frame) {
     if (!view->setLook({})) return false;
     view->show();
-    if (!QTest::qWaitForWindowExposed(view.get())) return false;
+    if (!QTest::qWaitForWindowExposed(view.get(), kExposedMs)) return false;
     QSignalSpy shown(view.get(), &SceneView::lightShown);
     view->setFrame(frame);
     return !shown.isEmpty() || shown.wait(20000);

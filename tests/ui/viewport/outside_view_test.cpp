@@ -151,7 +151,7 @@ class OutsideViewTest : public QObject {
     view_->setViewCamera(ViewCamera::from(scene.cameras.front()));
     QVERIFY(view_->setLook({}).ok());
     view_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get(), kExposedMs));
     QSignalSpy shown(view_.get(), &SceneView::lightShown);
     view_->setFrame(frame_);
     QTRY_VERIFY_WITH_TIMEOUT(!shown.isEmpty(), 20000);

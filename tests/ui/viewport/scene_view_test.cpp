@@ -33,7 +33,7 @@ class SceneViewTest : public QObject {
     view_->setViewCamera(ViewCamera::from(document_->scene()->cameras.front()));
     QVERIFY(view_->setLook({}).ok());
     view_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get(), kExposedMs));
     QSignalSpy shown(view_.get(), &SceneView::lightShown);
     view_->setFrame(lit_->frame);
     QTRY_VERIFY_WITH_TIMEOUT(!shown.isEmpty(), 20000);
@@ -333,14 +333,14 @@ class SceneViewTest : public QObject {
     window.resize(500, 400);
     window.setCentralWidget(view_.get());
     window.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QVERIFY(QTest::qWaitForWindowExposed(&window, kExposedMs));
     const int before = view_->frameCount();
     view_->update();
     QTRY_VERIFY(view_->frameCount() > before);
     QVERIFY(meanOf(view_->grabFramebuffer()) > 10.0);
     view_->setParent(nullptr);
     view_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get(), kExposedMs));
     view_->update();
     QTRY_VERIFY(meanOf(view_->grabFramebuffer()) > 10.0);
   }

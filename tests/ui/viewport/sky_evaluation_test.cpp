@@ -39,7 +39,7 @@ class SkyEvaluationTest : public QObject {
     view_->setViewCamera(ViewCamera::from(project_.scene.cameras.front()));
     QVERIFY(view_->setLook({}).ok());
     view_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(view_.get()));
+    QVERIFY(QTest::qWaitForWindowExposed(view_.get(), kExposedMs));
     QSignalSpy shown(view_.get(), &SceneView::lightShown);
     view_->setFrame(dark());
     QTRY_VERIFY_WITH_TIMEOUT(!shown.isEmpty(), 20000);
@@ -122,7 +122,7 @@ class SkyEvaluationTest : public QObject {
     second.setViewCamera(ViewCamera::from(project_.scene.cameras.front()));
     QVERIFY(second.setLook({}).ok());
     second.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&second));
+    QVERIFY(QTest::qWaitForWindowExposed(&second, kExposedMs));
     second.shareMesh(*view_);
     second.setFrameOf(*view_);
     const QImage other = second.picture({kWide, kHigh}, false, 1);
