@@ -117,8 +117,10 @@ struct Axis {
 /// Values 1, 2, 5 x 10^n in the axis.
 std::vector<double> ticksOf(const Axis& axis) {
   std::vector<double> ticks;
-  for (double power = std::pow(10.0, std::floor(std::log10(axis.lo))); power <= axis.hi;
-       power *= 10) {
+  const auto first = static_cast<int>(std::floor(std::log10(axis.lo)));
+  const auto last = static_cast<int>(std::floor(std::log10(axis.hi)));
+  for (int exponent = first; exponent <= last; ++exponent) {
+    const double power = std::pow(10.0, exponent);
     for (const double m : {1.0, 2.0, 5.0}) {
       if (m * power >= axis.lo * 0.999 && m * power <= axis.hi * 1.001) ticks.push_back(m * power);
     }

@@ -44,7 +44,7 @@ std::vector<std::string> sampleProjects() {
   }
   places.emplace_back("projects");
   for (const fs::path& place : places) {
-    const auto found = projectsIn(place);
+    auto found = projectsIn(place);
     if (!found.empty()) return found;
   }
   return {};

@@ -197,7 +197,7 @@ Result<void> reportAlone(VerifyPoints& points, const scene::Scene& scene, const 
 
 }  // namespace
 
-Result<VerifyReport> verify(std::shared_ptr<const relight::Solver> solver,
+Result<VerifyReport> verify(const std::shared_ptr<const relight::Solver>& solver,
                             const scene::Scene& scene, const VerifyOptions& options,
                             const Job& job) {
   std::optional<std::size_t> index;

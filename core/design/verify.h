@@ -72,7 +72,7 @@ struct VerifyReport {
 /// reference of the whole, so that every figure of it costs its own light only.
 /// Errors: no luminaire of that name; makeEmitter's; no surface that carries light and no sensor;
 /// cancelled.
-Result<VerifyReport> verify(std::shared_ptr<const relight::Solver> solver,
+Result<VerifyReport> verify(const std::shared_ptr<const relight::Solver>& solver,
                             const scene::Scene& scene, const VerifyOptions& options,
                             const Job& job = {});
 

@@ -108,6 +108,7 @@ std::vector<std::size_t> strongest(std::span<const light::Emitter> emitters,
   std::ranges::sort(by_gift);
   if (by_gift.size() > LampMaker::kMostLamps) by_gift.resize(LampMaker::kMostLamps);
   std::vector<std::size_t> chosen;
+  chosen.reserve(by_gift.size());
   for (const auto& [gift, i] : by_gift) chosen.push_back(i);
   std::ranges::sort(chosen);
   return chosen;

@@ -140,6 +140,7 @@ std::shared_ptr<const LitProbes> LiveProbes::light(const relight::Planes& lux,
     for (std::size_t i = begin; i < end; ++i) made[i].emplace(lit(probes_[i], lux, outside));
   });
   std::vector<LitProbe> probes;
+  probes.reserve(made.size());
   for (auto& probe : made) probes.push_back(std::move(*probe));
   return std::make_shared<const LitProbes>(room_, std::move(probes), std::move(lamps));
 }

@@ -27,7 +27,7 @@ fs::path userCacheFolder() {
   return home.empty() ? home : home / "Library" / "Caches";
 #else
   // The XDG base directory specification: a relative path is to be ignored.
-  if (const fs::path xdg = fromEnvironment("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg;
+  if (fs::path xdg = fromEnvironment("XDG_CACHE_HOME"); xdg.is_absolute()) return xdg;
   const fs::path home = fromEnvironment("HOME");
   return home.empty() ? home : home / ".cache";
 #endif
@@ -42,7 +42,7 @@ struct StoredBake {
 }  // namespace
 
 fs::path cacheFolder() {
-  if (const fs::path own = fromEnvironment("SOFFIT_CACHE"); !own.empty()) return own;
+  if (fs::path own = fromEnvironment("SOFFIT_CACHE"); !own.empty()) return own;
   if (const fs::path user = userCacheFolder(); !user.empty()) return user / "soffit";
   std::error_code failed;
   const fs::path temporary = fs::temp_directory_path(failed);

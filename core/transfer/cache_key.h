@@ -11,7 +11,7 @@ namespace soffit::transfer {
 
 /// The form in which bakes are stored: raise it when that changes. What bake() computes need not
 /// be counted here: the hash of its sources is part of the key.
-inline constexpr std::uint32_t kBakeVersion = 13;
+inline constexpr std::uint32_t kBakeVersion = 14;
 
 /// Names a bake by everything that decides it, as 32 hexadecimal digits (128 bits): triangles,
 /// their positions, materials (numbers, not names or reflectances), which are glass with what index

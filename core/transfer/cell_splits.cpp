@@ -148,6 +148,7 @@ std::vector<Group> pieces(const SplitGrid& grid, std::size_t base) {
 bool addSteps(const SplitGrid& grid, std::size_t g, std::size_t base, std::vector<Step>& steps) {
   std::vector<Group> groups = pieces(grid, base);
   std::vector<double> error;
+  error.reserve(SplitGrid::kMostGroups);
   for (const Group& group : groups)
     error.push_back(group.count > 1 ? unlikeness(grid, group) : 0.0);
   if (groups.size() > 1) {

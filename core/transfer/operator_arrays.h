@@ -53,7 +53,8 @@ template <class Ops, class Recs, class Visit>
 void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   auto& [texels, area, fill_from, buried, sends, nodes, lists, node_lists, clusters, weights, list_area,
          conserve, coarse] = operators;
-  auto& [receivers, texel_area, material, triangle, openness, part, uv, uv_width, charts, cell, grids, cells, split] =
+  auto& [receivers, texel_area, material, triangle, openness, part, uv, uv_width, charts, cell, grids, cells, split,
+         links] =
       texels;
   auto& [x, y, z, nx, ny, nz, slot_of, point_of, receiver_clusters, groups] = receivers;
   auto& [chart_list, chart_triangles, chart_of] = charts;
@@ -89,6 +90,7 @@ void forEachArray(Ops& operators, Recs& records, Visit&& visit) {
   visit("texels.grids", grids);
   visit("texels.cells", cells);
   visit("texels.split", split);
+  visit("texels.links", links);
   visit("area", area);
   visit("fill_from", fill_from);
   visit("buried", buried);

@@ -85,6 +85,7 @@ bool gridsAreSane(const Texels& texels) {
     const std::uint64_t bases = used / (static_cast<std::uint64_t>(grid.ku) * static_cast<std::uint64_t>(grid.kv));
     if (!within(grid.first_base, bases, texels.split.size())) return false;
   }
+  if (!texels.links.empty() && texels.links.size() != texels.cells.size()) return false;
   return std::all_of(texels.cells.begin(), texels.cells.end(), [&](std::uint32_t slot) {
     return slot == kNoTexel || slot < texels.slotCount();
   });

@@ -336,6 +336,7 @@ Texels makeTexels(const geometry::Mesh& mesh, std::span<const std::uint8_t> side
     out.grids.push_back(grid);
   }
   const Regions regions = findRegions(out, draft.open, draft.position, draft.normal, caster);
+  if (caster != nullptr) out.links = std::move(draft.open);
   out.receivers = light::makeReceivers(draft.position, draft.normal, kClusterSize, regions.number);
   const std::size_t slots = out.receivers.slotCount();
   out.area.assign(slots, 0.0F);

@@ -46,6 +46,9 @@ struct Texels {
   std::vector<Grid> grids;
   std::vector<std::uint32_t> cells;  ///< slot per fine cell, kNoTexel where no light can be
   std::vector<std::uint8_t> split;   ///< per base cell: 1 where it holds several texels
+  /// Per fine cell, bits: nothing stands between it and the next along t (1), along b (2), and
+  /// light reaches both. Empty: not known, nothing is covered.
+  std::vector<std::uint8_t> links;
 
   [[nodiscard]] std::size_t slotCount() const { return area.size(); }
   [[nodiscard]] std::size_t texelCount() const { return receivers.pointCount(); }
@@ -64,7 +67,8 @@ struct Texels {
 
   /// Texels of the same chart, side and part around a point, with weights that sum to 1: bilinear
   /// between the centres of base cells; within a base cell that is split, bilinear between the fine
-  /// cells next to the point. Cells of another part, or without a texel, give their weight to the
+  /// cells next to the point. Cells of another part, without a texel, or behind a
+  /// wall as far as those base cells show, give their weight to the
   /// others. Returns how many; 0 when the side carries none.
   static constexpr std::size_t kMostAround = 16;
   int around(std::uint32_t mesh_triangle, bool front, const vec3& point,

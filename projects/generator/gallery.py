@@ -9,7 +9,7 @@ from .solids import box, chamfered_box, frame, textured
 SIZE = (10.0, 6.0, 3.2)
 EYE = 1.55  # middle of the pictures
 DOOR_Y, DOOR_SIZE, DOOR_RECESS = 3.0, (1.9, 2.35), 0.12
-FREE_WALL = ((4.92, 1.6, -0.002), (5.08, 4.4, 2.6))
+FREE_WALL = ((4.92, 1.6, -0.006), (5.08, 4.4, 2.6))  # its chamfer lies below the floor
 
 # Wall, x, y of the middle, width, height, pixels across; in the order of paintings.PAINTINGS.
 PICTURES = [
@@ -42,7 +42,7 @@ def _pictures(model):
 def _sculptures(model):
     made = [sculptures.standing_knot(), sculptures.twisted_column(), sculptures.pebble()]
     for k, ((x, y, height, material), part) in enumerate(zip(PLINTHS, made), 1):
-        model.add(f"Plinth {k}", "plinth", chamfered_box((x - 0.24, y - 0.24, -0.002), (x + 0.24, y + 0.24, height), 0.003))
+        model.add(f"Plinth {k}", "plinth", chamfered_box((x - 0.24, y - 0.24, -0.006), (x + 0.24, y + 0.24, height), 0.003))
         model.add(f"Sculpture {k}", material, part.moved(x, y, height))
 
 

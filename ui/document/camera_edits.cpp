@@ -23,7 +23,7 @@ std::vector<scene::Camera>::iterator find(scene::Scene& scene, const std::string
 
 QString freeCameraName(const scene::Scene& scene) {
   for (std::size_t i = 1;; ++i) {
-    const QString name = tr("View %1").arg(i);
+    QString name = tr("View %1").arg(i);
     if (std::ranges::find(scene.cameras, toStd(name), &scene::Camera::name) == scene.cameras.end())
       return name;
   }

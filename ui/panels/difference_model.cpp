@@ -17,7 +17,7 @@ const LayoutReading* find(const Readings& readings, const QString& layout) {
 
 /// With its sign; what rounds to nothing has none.
 QString difference(double value, int decimals) {
-  const QString text = formatNumber(std::abs(value), decimals);
+  QString text = formatNumber(std::abs(value), decimals);
   if (text == formatNumber(0.0, decimals)) return text;
   return (value > 0.0 ? QStringLiteral("+") : QStringLiteral("\u2212")) + text;
 }

@@ -85,6 +85,7 @@ std::vector<ErrorPoint> errorPointsOf(const design::VerifyReport& report) {
 double fittingErrorScale(const std::vector<ErrorPoint>& points) {
   if (points.empty()) return kScales.front();
   std::vector<double> errors;
+  errors.reserve(points.size());
   for (const ErrorPoint& p : points) errors.push_back(std::abs(p.error));
   const double covered = std::ceil(0.95 * static_cast<double>(errors.size()));
   const auto rank = errors.begin() + static_cast<std::ptrdiff_t>(covered) - 1;

@@ -113,7 +113,7 @@ std::string embeddedPath(const aiTexture& texture, std::size_t index,
                          const MaterialContext& context, std::vector<EmbeddedTexture>& embedded) {
   std::string kind(texture.achFormatHint);
   if (kind != "png" && kind != "jpg") kind = kind == "jpeg" ? "jpg" : "png";
-  const std::string path =
+  std::string path =
       fmt::format("{}_texture{}.{}", context.file.stem().string(), index, kind);
   const auto known = [&](const EmbeddedTexture& e) { return e.path == path; };
   if (std::none_of(embedded.begin(), embedded.end(), known)) {

@@ -101,7 +101,7 @@ Result<IesHeading> parseIesHeading(std::string_view text, const std::string& nam
     const std::string_view line = lines.next();
     if (auto tilt = tiltValue(line)) {
       const std::string capitals = upper(*tilt);
-      heading.tilt = capitals == "NONE" || capitals == "INCLUDE" ? capitals : std::move(*tilt);
+      heading.tilt = capitals == "NONE" || capitals == "INCLUDE" ? capitals : *tilt;
       heading.data_offset = lines.offset();
       if (open_blocks > 0) heading.warnings.emplace_back("a [BLOCK] has no [ENDBLOCK]");
       return heading;

@@ -91,6 +91,42 @@ TEST(Texels, AroundAPointWeightsInterpolateLinearly) {
   EXPECT_EQ(asked, 24);
 }
 
+TEST(Texels, LightIsNotTakenFromBehindAWallThatEndsInTheRoom) {
+  // The floor is one part: one may walk round the wall. Still, what is lit behind the wall is not
+  // seen at its foot.
+  for (const float thickness : {0.03F, 0.08F, 0.16F, 0.25F}) {
+    for (const double cell : {0.06, 0.1, 0.13}) {
+      const float lo = 1.95F;
+      const float hi = lo + thickness;
+      geometry::Mesh mesh;
+      append(mesh, roomBox({0, 0, 0}, {4, 3, 2.5F}), 0);
+      append(mesh, geometry::makeBox({lo, 0.5F, -0.002F}, {hi, 2.5F, 2.0F}), 1);
+      const std::vector<vec3> inside = {{1, 1, 1}};
+      const auto scene =
+          makeStaticScene(std::make_shared<const geometry::Mesh>(std::move(mesh)), inside);
+      const Texels texels = makeTexels(*scene->mesh, scene->sides, cell, &scene->caster);
+      std::array<std::uint32_t, Texels::kMostAround> slots{};
+      std::array<float, Texels::kMostAround> weights{};
+      for (int k = 0; k < 200; ++k) {
+        const float along = 0.8F + 0.007F * static_cast<float>(k);
+        const bool right = k % 2 == 0;
+        const float off = 0.001F + 0.0004F * static_cast<float>(k);
+        const vec3 p(right ? hi + off : lo - off, along, 0.0F);
+        const geometry::Hit hit = scene->caster.closest({p + vec3(0, 0, 0.01F), 0.0F, {0, 0, -1}});
+        ASSERT_TRUE(hit.valid());
+        const int count = texels.around(hit.triangle, true, p, slots, weights);
+        ASSERT_GT(count, 0);
+        for (int i = 0; i < count; ++i) {
+          const auto at = static_cast<std::size_t>(i);
+          const float x = texels.receivers.position(slots[at]).x;
+          EXPECT_TRUE(weights[at] < 1e-6F || (right ? x > 0.5F * (lo + hi) : x < 0.5F * (lo + hi)))
+              << thickness << ' ' << cell << ": " << p.x << " takes " << weights[at] << " of " << x;
+        }
+      }
+    }
+  }
+}
+
 TEST(Texels, ClustersHoldTheirNumberAndPadding) {
   const auto scene = sceneOf(roomMesh());
   const Texels texels = makeTexels(*scene->mesh, scene->sides, 0.08, &scene->caster);
