@@ -51,7 +51,7 @@ std::string tableOf(const std::vector<design::PapersRow>& rows) {
 io::Json jsonOf(const design::PapersRow& r) {
   io::JsonObject row;
   const auto add = [&row](const char* name, io::Json value) {
-    row.emplace_back(name, std::move(value));
+    row.push_back({name, std::move(value)});
   };
   add("table", r.table);
   add("work", r.work);

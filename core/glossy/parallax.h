@@ -53,10 +53,6 @@ class ProbeDepth {
   /// an edge, where the probe does not see: it goes on.
   static constexpr float kBeyond = 0.05F;
   static constexpr float kMostBehind = 0.25F;
-  /// How far a probe sees toward a point, as a share of the way there: from kSeen on the point is
-  /// seen, below kHidden it is not.
-  static constexpr float kSeen = 0.97F;
-  static constexpr float kHidden = 0.85F;
 
   /// How far the ray p + t d goes until it meets what the probe sees: the distance impostor of
   /// Szirmay-Kalos et al. 2005, by steps along the ray and bisection of the one in which it goes

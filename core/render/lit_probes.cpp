@@ -19,7 +19,6 @@ vec3 LitProbes::reflected(const ReflectingPoint& at, float f0, float alpha) cons
 }
 
 vec3 LitProbes::surfaces(const ReflectingPoint& at, float f0, float alpha) const {
-  using Depth = glossy::ProbeDepth;
   const vec3& p = at.position;
   const glossy::LobeShape shape = glossy::lobeShape(
       static_cast<double>(glm::dot(at.normal, at.to_eye)), static_cast<double>(alpha));
@@ -48,9 +47,7 @@ vec3 LitProbes::surfaces(const ReflectingPoint& at, float f0, float alpha) const
     const float near = 1.0F / (distance * distance + kNear);
     if (glm::dot(d, at.normal) >= 0.0F) continue;  // behind the surface
     if (near > nearest.first) nearest = {near, &probe};
-    const float share = probe.depth->toward(d) / std::max(distance, 1.0e-6F);
-    std::pair<float, const LitProbe*> candidate{
-        near * glm::smoothstep(Depth::kHidden, Depth::kSeen, share), &probe};
+    std::pair<float, const LitProbe*> candidate{near * probe.sight->of(d), &probe};
     for (auto& place : chosen) {
       if (candidate.first > place.first) std::swap(candidate, place);
     }

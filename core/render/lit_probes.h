@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/glossy/parallax.h"
+#include "core/glossy/probe_sight.h"
 #include "core/glossy/reflection_map.h"
 #include "core/math/box.h"
 #include "core/math/vec.h"
@@ -17,6 +18,7 @@ namespace soffit::render {
 struct LitProbe {
   vec3 position{0.0F};
   std::shared_ptr<const glossy::ProbeDepth> depth;  ///< of what never moves
+  std::shared_ptr<const glossy::ProbeSight> sight;
   glossy::ReflectionMap map;
 };
 

@@ -92,6 +92,7 @@ LiveProbes::Probe LiveProbes::look(const ViewScene& scene, const SentAlbedo& alb
   std::vector<geometry::Hit> hits(rays.size());
   scene.caster().closest(rays, hits);
   probe.depth = lookFar(scene.caster(), position);
+  probe.sight = std::make_shared<const glossy::ProbeSight>(*probe.depth);
   probe.first.push_back(0);
   for (std::size_t k = 0; k < rays.size(); ++k) {
     probe.albedo.emplace_back(hits[k].valid() ? 0.0F : -1.0F);
@@ -129,7 +130,7 @@ LitProbe LiveProbes::lit(const Probe& probe, const relight::Planes& lux,
       radiance[k] = vec3(outside->radiance(directions_.directions[k]));
     }
   }
-  return {probe.position, probe.depth, glossy::ReflectionMap(levels_, radiance)};
+  return {probe.position, probe.depth, probe.sight, glossy::ReflectionMap(levels_, radiance)};
 }
 
 std::shared_ptr<const LitProbes> LiveProbes::light(const relight::Planes& lux,
@@ -154,7 +155,7 @@ std::vector<vec3> LiveProbes::places() const {
 std::size_t LiveProbes::bytes() const {
   std::size_t sum = 0;
   for (const Probe& p : probes_) {
-    sum += p.depth->rimmed().size() * sizeof(float) +
+    sum += p.depth->rimmed().size() * sizeof(float) + p.sight->rimmed().size() * sizeof(vec2) +
            p.albedo.size() * (sizeof(vec3) + sizeof(std::uint32_t)) +
            p.slots.size() * (sizeof(std::uint32_t) + sizeof(float));
   }

@@ -51,6 +51,7 @@ class LiveProbes {
   struct Probe {
     vec3 position{0.0F};
     std::shared_ptr<const glossy::ProbeDepth> depth;  ///< of what never moves
+    std::shared_ptr<const glossy::ProbeSight> sight;
     std::vector<vec3> albedo;                         ///< per map texel; negative: nothing is there
     std::vector<std::uint32_t> first;                 ///< per map texel and one past the last, into
     std::vector<std::uint32_t> slots;

@@ -15,6 +15,8 @@ constexpr float kBefore = 1.2F;     // m
 constexpr float kReach = 4.0F;      // m
 constexpr float kClearance = 0.1F;  // m: nearer to what it reflects a probe sees little else
 constexpr double kLeft = 0.01;
+/// How often every piece is to be seen: from one side alone much that it reflects is hidden.
+constexpr int kTimes = 2;
 
 /// Pieces at even steps of the area.
 std::vector<ReflectingPiece> drawn(std::span<const ReflectingPiece> pieces) {
@@ -79,24 +81,30 @@ std::vector<vec3> probePlaces(const geometry::RayCaster& caster,
     }
   });
   std::vector<vec3> chosen;
-  std::vector<std::uint8_t> covered(n, 0);
-  std::size_t left = n;
-  while (chosen.size() < most && static_cast<double>(left) > kLeft * static_cast<double>(n)) {
-    std::size_t best = 0;
-    std::size_t gain = 0;
-    for (std::size_t c = 0; c < candidates.size(); ++c) {
-      std::size_t fresh = 0;
-      for (std::size_t k = 0; k < n; ++k)
-        fresh += (seen[c * n + k] != 0 && covered[k] == 0) ? 1 : 0;
-      if (fresh > gain) {
-        gain = fresh;
-        best = c;
+  std::vector<int> times(n, 0);  // that a piece is seen
+  for (int round = 1; round <= kTimes; ++round) {
+    const auto lacking = [&](std::size_t k) { return times[k] < round; };
+    auto left =
+        static_cast<std::size_t>(std::ranges::count_if(times, [&](int t) { return t < round; }));
+    while (chosen.size() < most && static_cast<double>(left) > kLeft * static_cast<double>(n)) {
+      std::size_t best = 0;
+      std::size_t gain = 0;
+      for (std::size_t c = 0; c < candidates.size(); ++c) {
+        std::size_t fresh = 0;
+        for (std::size_t k = 0; k < n; ++k) fresh += (seen[c * n + k] != 0 && lacking(k)) ? 1 : 0;
+        if (fresh > gain) {
+          gain = fresh;
+          best = c;
+        }
       }
+      if (gain == 0) break;
+      chosen.push_back(candidates[best]);
+      for (std::size_t k = 0; k < n; ++k) {
+        times[k] += seen[best * n + k];
+        seen[best * n + k] = 0;  // once is enough
+      }
+      left -= gain;
     }
-    if (gain == 0) break;
-    chosen.push_back(candidates[best]);
-    for (std::size_t k = 0; k < n; ++k) covered[k] |= seen[best * n + k];
-    left -= gain;
   }
   return chosen;
 }

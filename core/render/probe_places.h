@@ -20,8 +20,8 @@ struct ReflectingPiece {
 /// Where probes stand: before surfaces that reflect, so that they see what is reflected there, and
 /// nowhere else. Candidates are 1.2 m before pieces (half way, where something is nearer than
 /// 2.4 m); one after another is taken that sees the most surface within 4 m that none does yet,
-/// until `most` are there or 1 % is left. Candidates from which hardly more than the void is seen
-/// are none, unless the void shines (`sky`).
+/// until `most` are there or 1 % is left; then the same for what only one sees. Candidates from
+/// which hardly more than the void is seen are none, unless the void shines (`sky`).
 ///
 /// pieces: of all that reflects; some hundred of them, drawn evenly by area, decide. All in the
 /// caster's frame. Deterministic.

@@ -40,6 +40,7 @@ ProbeReflections::ProbeReflections(const ViewScene& scene, std::span<const vec3>
       probe.texel.push_back(static_cast<std::uint32_t>(k));
     }
     probe.depth = std::make_shared<const glossy::ProbeDepth>(side, distances);
+    probe.sight = std::make_shared<const glossy::ProbeSight>(*probe.depth);
     probes_.push_back(std::move(probe));
   }
 }
@@ -61,7 +62,8 @@ void ProbeReflections::light(const Illumination& illumination) {
     for (std::size_t k = 0; k < probe.places.size(); ++k) {
       radiance[probe.texel[k]] = probe.albedo[k] * (direct[k] + indirect[k]) / kPiF;
     }
-    lit.push_back({probe.position, probe.depth, glossy::ReflectionMap(levels_, radiance)});
+    lit.push_back(
+        {probe.position, probe.depth, probe.sight, glossy::ReflectionMap(levels_, radiance)});
   }
   lit_.emplace(room_, std::move(lit));
 }

@@ -41,6 +41,7 @@ class ProbeReflections {
   struct Probe {
     vec3 position{0.0F};
     std::shared_ptr<const glossy::ProbeDepth> depth;
+    std::shared_ptr<const glossy::ProbeSight> sight;
     std::vector<SurfacePoint> places;
     std::vector<vec3> albedo;
     std::vector<std::uint32_t> texel;  ///< of each place

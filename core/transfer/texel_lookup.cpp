@@ -72,9 +72,9 @@ struct Texels::Near {
     bool walls = false;
     for (int j = j0; j < j0 + rows; ++j) {
       for (int i = i0; i < i0 + columns; ++i) {
-        const std::uint32_t cell = cellAt(i, j);
-        const std::uint8_t open = texels.links[cell];
-        if (texels.cells[cell] == own) start |= bitOf(i, j);
+        const std::uint32_t index = cellAt(i, j);
+        const std::uint8_t open = texels.links[index];
+        if (texels.cells[index] == own) start |= bitOf(i, j);
         if (i + 1 < i0 + columns) ((open & 1U) != 0 ? along |= bitOf(i, j) : walls = true);
         if (j + 1 < j0 + rows) ((open & 2U) != 0 ? across |= bitOf(i, j) : walls = true);
       }

@@ -167,6 +167,12 @@ void ReflectionDrawing::uploadMaps() {
   }
   const int wide = uploaded_.front()->side() + 2;
   depths_.fill(GlLayers::Format::one, wide, wide, layers, true, depths.data());
+  std::vector<vec2> sights;
+  for (const render::LitProbe& probe : probes) {
+    sights.insert(sights.end(), probe.sight->rimmed().begin(), probe.sight->rimmed().end());
+  }
+  constexpr int kSightWide = glossy::ProbeSight::kSide + 2;
+  sights_.fill(GlLayers::Format::two, kSightWide, kSightWide, layers, true, &sights.front().x);
 }
 
 void ReflectionDrawing::uploadLamps() {
@@ -214,6 +220,7 @@ void ReflectionDrawing::draw(const glm::mat4& clip_from_scene, const glm::vec4& 
   depths_.bind(1);
   lobes_.bind(2);
   lamps_.bind(3);
+  sights_.bind(5);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
@@ -252,6 +259,7 @@ void ReflectionDrawing::setUniforms(const glm::mat4& clip_from_scene, const glm:
   program_.set("depths", 1);
   program_.set("lobes", 2);
   program_.set("lamps", 3);
+  program_.set("sights", 5);
   program_.set("roughness_map", kRoughnessUnit);
   const auto lamps = light_->lamps();
   const auto lamp_count = std::min<std::size_t>(lamps.size(), kMostShaderLamps);
@@ -264,7 +272,7 @@ void ReflectionDrawing::setUniforms(const glm::mat4& clip_from_scene, const glm:
 
 void ReflectionDrawing::release() {
   for (GlBuffer* buffer : {&positions_, &normals_, &gloss_, &uvs_, &indices_}) buffer->release();
-  for (GlLayers* layers : {&maps_, &depths_, &lobes_, &lamps_}) layers->release();
+  for (GlLayers* layers : {&maps_, &depths_, &sights_, &lobes_, &lamps_}) layers->release();
   program_.release();
   releaseRuns();
   if (array_ != 0) glDeleteVertexArrays(1, &array_);

@@ -57,6 +57,7 @@ class ReflectionDrawing {
   std::vector<Run> runs_;
   GlLayers maps_;
   GlLayers depths_;
+  GlLayers sights_;
   GlLayers lobes_;
   GlLayers lamps_;
   std::vector<float> atlas_;  ///< kept: filled at every light

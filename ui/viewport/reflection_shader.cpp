@@ -51,6 +51,7 @@ uniform int level_row[MOST_LEVELS];
 uniform vec2 atlas;
 uniform sampler2DArray maps;
 uniform sampler2DArray depths;
+uniform sampler2DArray sights;
 uniform sampler2DArray lobes;
 uniform sampler2DArray lamps;
 uniform int lamp_count;
@@ -76,6 +77,18 @@ float toward(int i, vec3 d) {
   vec2 at = clamp(0.5 * (c.xy + 1.0) * n - 0.5, vec2(-0.5), vec2(n - 0.5)) + 1.5;
   float inverse = texture(depths, vec3(at / (n + 2.0), float(6 * i) + c.z)).r;
   return sqrt(1.0 + dot(c.xy, c.xy)) / max(inverse, 1.0e-30);
+}
+
+// core/glossy/probe_sight.h
+float sight(int i, vec3 d, float away) {
+  vec3 c = cubePoint(d);
+  vec2 at = clamp(0.5 * (c.xy + 1.0) * SIGHT_SIDE - 0.5, vec2(-0.5), vec2(SIGHT_SIDE - 0.5)) + 1.5;
+  vec2 m = texture(sights, vec3(at / (SIGHT_SIDE + 2.0), float(6 * i) + c.z)).rg;
+  float excess = SIGHT_SHARE * away - m.x;
+  if (excess <= 0.0) return 1.0;
+  float least = SIGHT_DEVIATION * away;
+  float variance = max(m.y - m.x * m.x, least * least);
+  return smoothstep(SIGHT_HIDDEN, 1.0, variance / (variance + excess * excess));
 }
 
 float behind(int i, vec3 p, vec3 d, float t) {
@@ -225,7 +238,7 @@ void main() {
       near_weight = w;
       nearest = i;
     }
-    w *= smoothstep(HIDDEN, SEEN, toward(i, d) / max(away, 1.0e-6));
+    w *= sight(i, d, away);
     if (w > weight.x) {
       weight = vec4(w, weight.xyz);
       which = ivec4(i, which.xyz);
@@ -297,8 +310,10 @@ std::string reflectionFragmentShader() {
   define("SHARPEST", static_cast<double>(ReflectionMap::kSharpest));
   define("STEPS_PER_OCTAVE", ReflectionMap::kStepsPerOctave);
   define("NEXT_SHARE", static_cast<double>(LitProbes::kNextShare));
-  define("HIDDEN", static_cast<double>(ProbeDepth::kHidden));
-  define("SEEN", static_cast<double>(ProbeDepth::kSeen));
+  define("SIGHT_SIDE", glossy::ProbeSight::kSide);
+  define("SIGHT_SHARE", static_cast<double>(glossy::ProbeSight::kShare));
+  define("SIGHT_DEVIATION", static_cast<double>(glossy::ProbeSight::kLeastDeviation));
+  define("SIGHT_HIDDEN", static_cast<double>(glossy::ProbeSight::kHidden));
   define("NEAR", static_cast<double>(LitProbes::kNear));
   define("LEAST_COSINE", static_cast<double>(LitProbes::kLeastCosine));
   define("MIRROR_ALPHA", glossy::kMirrorAlpha);

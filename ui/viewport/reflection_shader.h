@@ -14,6 +14,7 @@ const char* reflectionVertexShader();
 /// room_lo, room_hi; int side (of the depths); int level_count; int level_side[], level_row[]
 /// (first row in the atlas); vec2 atlas. Textures: sampler2DArray maps (layer 6 i + face of probe
 /// i: the levels one under the other, with their rims), depths (the same layers: 1/z, with rims),
+/// sights (the same layers: glossy::ProbeSight),
 /// lobes (layers base and rise of glossy::lobeTable()), lamps (render::LampMap, six layers each);
 /// int lamp_count; vec4 lamp[] (place, radius); vec3 lamp_color[]. Writes light to be added, 0 to
 /// alpha.

@@ -84,7 +84,6 @@ TEST(ProbeDepth, FindsAPartitionThatTheBoxDoesNotKnow) {
 }
 
 TEST(ProbeDepth, PlanesAreExactAcrossFacesAndNothingIsInfinite) {
-  const vec3 probe(0.3F, -0.2F, 0.0F);
   const vec3 normal = glm::normalize(vec3(0.3F, 0.5F, 1.0F));
   constexpr float kAway = 1.7F;
   constexpr int kSide = 16;
