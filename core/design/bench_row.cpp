@@ -39,10 +39,7 @@ Column number(const char* name, Access access) {
       [access](BenchRow& row, std::string_view field) { return readNumber(field, access(row)); }};
 }
 
-#define SOFFIT_FIELD(member)    \
-  [](BenchRow & row) -> auto& { \
-    return (row.member);        \
-  }
+#define SOFFIT_FIELD(member) ([](BenchRow & row) -> auto& { return (row.member); })
 
 const std::vector<Column>& columns() {
   static const std::vector<Column> list{

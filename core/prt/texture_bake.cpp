@@ -208,7 +208,7 @@ Result<TextureBake> rebakeTextures(const TextureBake& before,
   return bake;
 }
 
-Result<TextureBake> bakeTextures(std::shared_ptr<const Surfaces> surfaces,
+Result<TextureBake> bakeTextures(const std::shared_ptr<const Surfaces>& surfaces,
                                  const TextureBakeOptions& options, const Job& job) {
   // Nothing was there before, and everything has come.
   TextureBake nothing;
@@ -216,7 +216,7 @@ Result<TextureBake> bakeTextures(std::shared_ptr<const Surfaces> surfaces,
       TextureReceivers::atlas(makeSurfaces(std::make_shared<const geometry::Mesh>(), {}), {}));
   nothing.flags = VisibilityFlags(0, static_cast<std::size_t>(options.directions));
   nothing.direct = TransferRows(0, options.bands, 1);
-  return rebakeTextures(nothing, std::move(surfaces), options, job);
+  return rebakeTextures(nothing, surfaces, options, job);
 }
 
 }  // namespace soffit::prt

@@ -59,7 +59,7 @@ TextureBakeSize predictTextureBake(const TextureReceivers& receivers,
                                    const TextureBakeOptions& options);
 
 /// Bakes every set. Errors: cancelled; what reaches the job's observer are the stages' names.
-Result<TextureBake> bakeTextures(std::shared_ptr<const Surfaces> surfaces,
+Result<TextureBake> bakeTextures(const std::shared_ptr<const Surfaces>& surfaces,
                                  const TextureBakeOptions& options, const Job& job = {});
 
 /// The same after an edit, from an earlier bake with equal options but for `passes`: sets whose key

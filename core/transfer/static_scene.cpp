@@ -18,14 +18,17 @@ bool isRoom(const geometry::Mesh& mesh, const geometry::Components& components, 
             std::span<const vec3> inside) {
   const geometry::Component& c = components.list[index];
   if (components.list.size() == 1) return true;
-  const auto holds = [&](const vec3& p) { return c.bounds.contains(p) && geometry::contains(mesh, c, p); };
+  const auto holds = [&](const vec3& p) {
+    return c.bounds.contains(p) && geometry::contains(mesh, c, p);
+  };
   if (std::any_of(inside.begin(), inside.end(), holds)) return true;
   for (std::size_t other = 0; other < components.list.size(); ++other) {
     if (other == index) continue;
     const geometry::Component& o = components.list[other];
     // Whatever reaches out of the shell's box is not held by it.
-    if (o.bounds.lo.x < c.bounds.lo.x || o.bounds.lo.y < c.bounds.lo.y || o.bounds.lo.z < c.bounds.lo.z ||
-        o.bounds.hi.x > c.bounds.hi.x || o.bounds.hi.y > c.bounds.hi.y || o.bounds.hi.z > c.bounds.hi.z) {
+    if (o.bounds.lo.x < c.bounds.lo.x || o.bounds.lo.y < c.bounds.lo.y ||
+        o.bounds.lo.z < c.bounds.lo.z || o.bounds.hi.x > c.bounds.hi.x ||
+        o.bounds.hi.y > c.bounds.hi.y || o.bounds.hi.z > c.bounds.hi.z) {
       continue;
     }
     // Centres of a few triangles; those that lie on the shell itself (a block's foot on the
@@ -41,8 +44,7 @@ bool isRoom(const geometry::Mesh& mesh, const geometry::Components& components, 
       const vec3 p = (a + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0F;
       const vec3 gap = glm::min(p - c.bounds.lo, c.bounds.hi - p);
       if (std::min({gap.x, gap.y, gap.z}) <= margin) continue;
-      const float own =
-          glm::length(glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a));
+      const float own = glm::length(glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a));
       area += own;
       if (holds(p)) held += own;
     }
@@ -51,7 +53,8 @@ bool isRoom(const geometry::Mesh& mesh, const geometry::Components& components, 
   return false;
 }
 
-std::vector<std::uint8_t> sidesOf(const geometry::Mesh& mesh, const geometry::Components& components,
+std::vector<std::uint8_t> sidesOf(const geometry::Mesh& mesh,
+                                  const geometry::Components& components,
                                   std::span<const vec3> inside, const daylight::Panes* panes) {
   std::vector<std::uint8_t> sides(mesh.triangles.size(), kBothSides);
   const auto glass = [&](std::uint32_t t) { return panes != nullptr && panes->isGlass(t); };
@@ -132,7 +135,8 @@ void dropVoidSides(StaticScene& scene) {
     HemisphereScratch scratch;
     HemisphereHits hits;
     for (std::size_t s = begin; s < end; ++s) {
-      traceHemisphere(scene, texels, texels.receivers.position(s), texels.receivers.normal(s), 8, s, 0.0F, scratch, hits);
+      traceHemisphere(scene, texels, texels.receivers.position(s), texels.receivers.normal(s), 8, s,
+                      0.0F, scratch, hits);
       sees[s] = hits.missed < 64 ? 1 : 0;
     }
   });
@@ -140,7 +144,8 @@ void dropVoidSides(StaticScene& scene) {
   for (std::size_t s = 0; s < slots; ++s) {
     if (sees[s] == 0) continue;
     const std::uint32_t chart = texels.charts.chart_of[texels.triangle[s]];
-    const bool front = glm::dot(texels.receivers.normal(s), texels.charts.charts[chart].normal) > 0.0F;
+    const bool front =
+        glm::dot(texels.receivers.normal(s), texels.charts.charts[chart].normal) > 0.0F;
     kept[chart] = static_cast<std::uint8_t>(kept[chart] | (front ? kFront : kBack));
   }
   for (std::size_t t = 0; t < scene.sides.size(); ++t) {
@@ -163,15 +168,12 @@ std::shared_ptr<const StaticScene> makeStaticScene(std::shared_ptr<const geometr
   std::vector<light::MaskBlocker> pane_faces;
   light::Blockers blockers = blockersOf(*mesh, components, sides, panes.get(), pane_faces);
   const float size = mesh->bounds().diagonal();
-  StaticScene scene{mesh,
-                    daylight::opaqueCaster(*mesh, panes.get()),
-                    std::move(blockers),
-                    std::move(normals),
-                    std::move(sides),
-                    std::min(1e-4F, 2e-5F * size),
-                    std::move(panes),
-                    std::move(pane_faces)};
-  if (!mesh->triangles.empty()) dropVoidSides(scene);
+  const geometry::Mesh& kept = *mesh;  // by the scene, from the next line on
+  StaticScene scene{std::move(mesh),     daylight::opaqueCaster(kept, panes.get()),
+                    std::move(blockers), std::move(normals),
+                    std::move(sides),    std::min(1e-4F, 2e-5F * size),
+                    std::move(panes),    std::move(pane_faces)};
+  if (!kept.triangles.empty()) dropVoidSides(scene);
   return std::make_shared<const StaticScene>(std::move(scene));
 }
 
