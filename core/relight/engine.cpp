@@ -39,6 +39,7 @@ std::vector<Setting> settingsOf(QualitySettings& q, prt::LocalOptions& local) {
           {"max_rank", 1, 128, &b.max_rank},
           {"lists", 0.01, 1, &b.lists},
           {"tolerance", 1e-6, 1, &b.tolerance},
+          {"sweeps", 0, 16, &q.sweeps},
           {"sensor_rays", 4, 1024, &q.sensor_rays},
           {"bands", 2, sh::kMaxBands, &local.bands, true},
           {"directions", 16, 65536, &local.directions, true},
@@ -96,12 +97,14 @@ Result<QualitySettings> qualitySettings(const scene::Quality& quality) {
     q.bake.trainings = 48;
     q.bake.field_rays = 12;
     q.bake.list_rays = 24;
+    q.bake.lists = 0.22;
     q.bake.max_rank = 16;
     q.bake.tolerance = 0.1;
     q.sensor_rays = 32;
   } else if (quality.preset == "final") {
     q.bake.texels = 200000;
     q.bake.list_rays = 64;
+    q.bake.lists = 0.22;
     q.sensor_rays = 96;
   } else if (quality.preset != "interactive" && !quality.preset.empty()) {
     return Error{"quality", fmt::format("there is no quality \"{}\"", quality.preset),
@@ -161,8 +164,10 @@ Result<std::shared_ptr<const Solver>> makeSolver(const scene::Scene& scene,
   transfer::CoarseResult on_coarse;
   if (coarse) {
     on_coarse = [&](const std::shared_ptr<const transfer::Operators>& found) {
-      if (!job.cancelled())
-        coarse(std::make_shared<const Solver>(static_scene, found, scene.materials));
+      if (job.cancelled()) return;
+      auto early = std::make_shared<Solver>(static_scene, found, scene.materials);
+      early->useSweeps(quality.sweeps);
+      coarse(std::move(early));
     };
   }
   auto operators = transfer::bakeOrLoad(*static_scene, quality.bake, use_cache, job, on_coarse,
@@ -170,6 +175,7 @@ Result<std::shared_ptr<const Solver>> makeSolver(const scene::Scene& scene,
   if (!operators) return operators.error();
   report.bytes = (*operators)->bytes();
   auto solver = std::make_shared<Solver>(static_scene, *operators, scene.materials);
+  solver->useSweeps(quality.sweeps);
   if (quality.local) {
     job.report("shadows for direct light", 0.0);
     const auto surfaces = prt::makeSurfaces(scene.mesh, scene.materials, insideOf(scene));

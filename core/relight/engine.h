@@ -19,9 +19,10 @@ namespace soffit::relight {
 
 /// What a quality means in numbers. Presets lie on the measured front of run time against error
 /// (`soffit bench`); single settings of the project override them by these names: texels,
-/// least_cell, most_cell, patch, node_rays, trainings, field_rays, list_rays, max_rank, lists, tolerance, sensor_rays.
+/// least_cell, most_cell, patch, node_rays, trainings, field_rays, list_rays, max_rank, lists, tolerance, sweeps, sensor_rays.
 struct QualitySettings {
   transfer::BakeSettings bake;
+  int sweeps = 2;        ///< of reflected light from texel to texel at rest (Solver::indirect())
   int sensor_rays = 64;  ///< squared: gather rays per sensor
   /// Direct light at the texels by a method of the founding papers; nothing: exactly. Setting
   /// "direct": exact, harmonics or cubes; its numbers bands, directions, reach, cube_side.

@@ -230,6 +230,52 @@ void Solver::addFromNodes(std::span<const transfer::PatchLight> sent, std::vecto
   for (std::size_t k = 0; k < y.size(); ++k) y[k] += scale * more[k];
 }
 
+void Solver::sweep(Column& column, std::span<const float> open) const {
+  const transfer::Operators& op = *operators_;
+  const auto& clusters = op.texels.receivers.clusters;
+  const auto& rho = reflectances_.rho;
+  std::vector<vec4>& y = column.skeleton;
+  std::vector<vec4> e(op.texels.slotCount());
+  parallelFor(clusters.size(), 8, [&](std::size_t begin, std::size_t end) {
+    alignas(64) std::array<std::array<float, 256>, 3> light;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t at = clusters[i].begin;
+      const std::size_t slots = clusters[i].end - at;
+      for (auto& plane : light) std::fill_n(plane.begin(), slots, 0.0F);
+      const transfer::ClusterWeights& w = op.clusters[i];
+      transfer::interpolate(std::span(op.weights).subspan(w.first_weight, w.rank * slots),
+                            std::span(y).subspan(w.first_list, w.rank), slots, light[0].data(),
+                            light[1].data(), light[2].data());
+      for (std::size_t s = 0; s < slots; ++s) {
+        e[at + s] = vec4(light[0][s], light[1][s], light[2][s], 0.0F);
+      }
+    }
+  });
+  std::vector<vec4> x(blocks_.size(), vec4(0.0F));
+  std::vector<dvec3> sent_by(clusters.size(), dvec3(0.0));
+  parallelFor(clusters.size(), 32, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      vec3 sum(0.0F);
+      for (std::uint32_t s = clusters[i].begin; s < clusters[i].end; ++s) {
+        const float shown = open.empty() ? 1.0F : open[s];
+        const vec3 b = vec3(rho[0][s], rho[1][s], rho[2][s]) *
+                       (directAt(column, open, s) + shown * vec3(e[op.fill_from[s]]));
+        x[s] = vec4(b, 0.0F);
+        sum += op.sends[s] * b;
+      }
+      blocks_.average(clusters[i].begin, clusters[i].end, x);
+      sent_by[i] = dvec3(sum);
+    }
+  });
+  dvec3 sent(0.0);
+  for (const dvec3& s : sent_by) sent += s;
+  parallelFor(y.size(), 64, [&](std::size_t begin, std::size_t end) {
+    transfer::gather(op.lists, begin, x, std::span(y).subspan(begin, end - begin));
+  });
+  const vec4 scale = conservingScale(sent, y);
+  for (vec4& v : y) v *= scale;
+}
+
 void Solver::radiosityOf(const Column& column, std::span<const float> open,
                          std::vector<vec4>& source) const {
   const transfer::Operators& op = *operators_;
@@ -268,7 +314,7 @@ void Solver::coarseIndirect(Column& column, std::span<const float> open,
 }
 
 void Solver::indirect(Column& column, std::span<const float> open, std::vector<vec4>* source,
-                      StageTimes* times) const {
+                      StageTimes* times, Pace pace) const {
   const transfer::Operators& op = *operators_;
   if (op.nodes.functions == 0) return;
   if (op.coarse) {
@@ -289,6 +335,10 @@ void Solver::indirect(Column& column, std::span<const float> open, std::vector<v
   if (times != nullptr) times->nodes += lap.ms();
   addFromNodes(sent, column.skeleton);
   if (times != nullptr) times->gather += lap.ms();
+  if (pace == Pace::at_rest) {
+    for (int k = 0; k < sweeps_; ++k) sweep(column, open);
+  }
+  if (times != nullptr) times->sweep += lap.ms();
   if (source != nullptr) radiosityOf(column, open, *source);
 }
 

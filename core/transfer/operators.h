@@ -27,13 +27,13 @@ struct BakeSettings {
   double most_cell = 1e3;     ///< m: where cells would be larger, up to four times as many texels
   std::uint32_t patch = 128;  ///< texels per node patch
   int node_rays = 8;          ///< squared: rays per texel for the node matrix
-  int trainings = 96;         ///< training lights
+  int trainings = 160;        ///< training lights
   int field_rays = 24;        ///< squared: rays per texel for the training fields
   int list_rays = 32;         ///< squared: rays per skeleton point
-  int max_rank = 48;          ///< skeleton points per cluster at most
-  double lists = 0.22;        ///< skeleton points per texel at most, where they tell most
+  int max_rank = 64;          ///< skeleton points per cluster at most
+  double lists = 0.3;        ///< skeleton points per texel at most, where they tell most
   double tolerance =
-      0.05;  ///< a skeleton point that tells less than this share of the mean is left out
+      0.03;  ///< a skeleton point that tells less than this share of the mean is left out
   std::uint64_t seed = 1;
 };
 
