@@ -100,6 +100,7 @@ io::Json rowJson(const design::BenchRow& row, bool pareto) {
                                                            {"first_bounce", s.first_bounce},
                                                            {"nodes", s.nodes},
                                                            {"gather", s.gather},
+                                                           {"sweep", s.sweep},
                                                            {"interpolate", s.interpolate}})},
                            {"mix_ms", row.mix_ms},
                            {"paint_ms", row.paint_ms},

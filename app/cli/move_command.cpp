@@ -34,10 +34,11 @@ struct Stage {
   const char* name;
   double relight::StageTimes::*value;
 };
-constexpr std::array<Stage, 5> kStages = {{{"direct", &relight::StageTimes::direct},
+constexpr std::array<Stage, 6> kStages = {{{"direct", &relight::StageTimes::direct},
                                            {"first_bounce", &relight::StageTimes::first_bounce},
                                            {"nodes", &relight::StageTimes::nodes},
                                            {"gather", &relight::StageTimes::gather},
+                                           {"sweep", &relight::StageTimes::sweep},
                                            {"interpolate", &relight::StageTimes::interpolate}}};
 
 double quantile(std::vector<double> values, double q) {

@@ -48,6 +48,7 @@ void addTimes(const std::vector<relight::StageTimes>& moves, BenchRow& row) {
   row.stages.first_bounce = quantile([](const auto& t) { return t.first_bounce; }, 0.5);
   row.stages.nodes = quantile([](const auto& t) { return t.nodes; }, 0.5);
   row.stages.gather = quantile([](const auto& t) { return t.gather; }, 0.5);
+  row.stages.sweep = quantile([](const auto& t) { return t.sweep; }, 0.5);
   row.stages.interpolate = quantile([](const auto& t) { return t.interpolate; }, 0.5);
 }
 

@@ -90,11 +90,12 @@ std::vector<BenchStep> benchPlan() {
   plan.push_back(preset("final"));
   // A coarse change of every setting, then finer ones.
   const std::vector<std::pair<const char*, double>> rest{
-      {"trainings", 24},  {"tolerance", 0.05}, {"patch", 64},        {"texels", 100000},
-      {"list_rays", 96},  {"max_rank", 64},    {"tolerance", 0.002}, {"trainings", 256},
-      {"field_rays", 8},  {"node_rays", 4},    {"texels", 12500},    {"patch", 32},
-      {"field_rays", 32}, {"node_rays", 16},   {"list_rays", 32},    {"list_rays", 16},
-      {"max_rank", 20},   {"patch", 256},      {"texels", 200000}};
+      {"trainings", 24},    {"sweeps", 0},      {"sweeps", 2},      {"tolerance", 0.05},
+      {"patch", 64},        {"texels", 100000}, {"list_rays", 96},  {"max_rank", 96},
+      {"tolerance", 0.002}, {"trainings", 256}, {"field_rays", 8},  {"node_rays", 4},
+      {"texels", 12500},    {"patch", 32},      {"field_rays", 32}, {"node_rays", 16},
+      {"list_rays", 32},    {"list_rays", 16},  {"max_rank", 20},   {"patch", 256},
+      {"texels", 200000},   {"lists", 0.5}};
   for (const auto& [setting, value] : rest) plan.push_back(changed(setting, value));
   plan.push_back(papersMethods());
   return plan;

@@ -53,6 +53,7 @@ const std::vector<Column>& columns() {
       number("first_bounce_ms", SOFFIT_FIELD(stages.first_bounce)),
       number("nodes_ms", SOFFIT_FIELD(stages.nodes)),
       number("gather_ms", SOFFIT_FIELD(stages.gather)),
+      number("sweep_ms", SOFFIT_FIELD(stages.sweep)),
       number("interpolate_ms", SOFFIT_FIELD(stages.interpolate)),
       number("mix_ms", SOFFIT_FIELD(mix_ms)),
       number("paint_ms", SOFFIT_FIELD(paint_ms)),

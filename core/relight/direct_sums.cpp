@@ -29,9 +29,8 @@ void DirectSums::add(const Column& one, double gain, const dvec3& color,
   });
 }
 
-void DirectSums::reflect(const Solver& solver, std::span<const float> open, Pace pace,
-                         StageTimes* times) {
-  for (Sum& sum : sums_) solver.indirect(sum.column, open, nullptr, times, pace);
+void DirectSums::reflect(const Solver& solver, std::span<const float> open, StageTimes* times) {
+  for (Sum& sum : sums_) solver.indirect(sum.column, open, nullptr, times);
 }
 
 std::vector<WeightedColumn> DirectSums::lights() const {

@@ -18,9 +18,8 @@ class DirectSums {
   /// Adds gain times the direct light of a column.
   void add(const Column& one, double gain, const dvec3& color,
            const transfer::Operators& operators);
-  /// Reflects what was added; open, pace and times as Solver::indirect() has them.
-  void reflect(const Solver& solver, std::span<const float> open, Pace pace,
-               StageTimes* times = nullptr);
+  /// Reflects what was added; open and times as Solver::indirect() has them.
+  void reflect(const Solver& solver, std::span<const float> open, StageTimes* times = nullptr);
   /// A column per colour, times the colour. Valid as long as this is.
   [[nodiscard]] std::vector<WeightedColumn> lights() const;
 

@@ -98,6 +98,7 @@ Result<QualitySettings> qualitySettings(const scene::Quality& quality) {
     q.bake.field_rays = 12;
     q.bake.list_rays = 24;
     q.bake.lists = 0.22;
+    q.sweeps = 0;
     q.bake.max_rank = 16;
     q.bake.tolerance = 0.1;
     q.sensor_rays = 32;

@@ -19,10 +19,11 @@ namespace soffit::relight {
 
 /// What a quality means in numbers. Presets lie on the measured front of run time against error
 /// (`soffit bench`); single settings of the project override them by these names: texels,
-/// least_cell, most_cell, patch, node_rays, trainings, field_rays, list_rays, max_rank, lists, tolerance, sweeps, sensor_rays.
+/// least_cell, most_cell, patch, node_rays, trainings, field_rays, list_rays, max_rank, lists,
+/// tolerance, sweeps, sensor_rays.
 struct QualitySettings {
   transfer::BakeSettings bake;
-  int sweeps = 2;        ///< of reflected light from texel to texel at rest (Solver::indirect())
+  int sweeps = 1;        ///< of reflected light from texel to texel (Solver::indirect())
   int sensor_rays = 64;  ///< squared: gather rays per sensor
   /// Direct light at the texels by a method of the founding papers; nothing: exactly. Setting
   /// "direct": exact, harmonics or cubes; its numbers bands, directions, reach, cube_side.
@@ -50,8 +51,8 @@ Result<QualitySettings> qualitySettings(const scene::Quality& quality);
 struct EngineReport {
   transfer::BakeCounts bake;
   bool cached = false;
-  std::size_t bytes = 0;                ///< of the operators
-  std::vector<std::string> messages;    ///< warnings, one line each
+  std::size_t bytes = 0;              ///< of the operators
+  std::vector<std::string> messages;  ///< warnings, one line each
 };
 
 /// Called with coarse solvers, each finer than the one before, as soon as they are there.
@@ -59,8 +60,9 @@ using CoarseSolver = std::function<void(std::shared_ptr<const Solver>)>;
 
 /// Static scene, operators (baked or from the cache) and solver of a scene.
 /// Errors: quality's, cancelled.
-Result<std::shared_ptr<const Solver>> makeSolver(const scene::Scene& scene, const QualitySettings& quality,
-                                                 bool use_cache, const Job& job, EngineReport& report,
+Result<std::shared_ptr<const Solver>> makeSolver(const scene::Scene& scene,
+                                                 const QualitySettings& quality, bool use_cache,
+                                                 const Job& job, EngineReport& report,
                                                  const CoarseSolver& coarse = {});
 
 /// The static half alone, for those who need no operators.

@@ -51,7 +51,6 @@ void Lighting::compute(std::size_t i) {
     entry.direct = true;
   }
   solver_->indirect(entry.column, openShare());
-  entry.rough = true;
   entry.ready = true;
 }
 
@@ -82,7 +81,6 @@ Result<void> Lighting::setLuminaires(std::span<const light::Luminaire> luminaire
     if (from == entries_.size()) continue;
     entries[i].column = std::move(entries_[from].column);
     entries[i].direct = true;
-    entries[i].rough = entries_[from].rough;
     entries[i].ready = entries_[from].ready;
     entries_[from].direct = false;  // taken
   }
@@ -111,12 +109,12 @@ Result<void> Lighting::repaint(std::shared_ptr<const Solver> solver, const Job& 
   sky_hand_.reset();
   letGo();
   const std::vector<float> open = openShare();
-  for (Entry& entry : entries_) entry.rough = entry.ready = false;
+  for (Entry& entry : entries_) entry.ready = false;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (!entries_[i].direct) continue;
     if (job.cancelled()) return Error{"light", "cancelled", ""};
     solver_->indirect(entries_[i].column, open);
-    entries_[i].rough = entries_[i].ready = true;
+    entries_[i].ready = true;
   }
   for (Column& column : outdoors_.columns) solver_->indirect(column, open);
   return {};
@@ -140,7 +138,7 @@ std::optional<Planes> Lighting::under(const Solver& painted, const Planes& throw
     sums.add(one, 1.0, color, painted.operators());
   }
   const std::vector<float> open = openShare();
-  sums.reflect(painted, open, Pace::at_rest);
+  sums.reflect(painted, open);
   std::vector<WeightedColumn> together = sums.lights();
   std::vector<Column> outside(outdoors_.columns.size());
   for (std::size_t i = 0; i < outside.size(); ++i) {

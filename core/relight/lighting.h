@@ -96,7 +96,7 @@ class Lighting {
   void grab(std::size_t i) { grab({&i, 1}); }
   /// The luminaires in hand, in the order of grab(), as they are now, and the total at every
   /// display point after it. Several are reflected together; their own columns follow at the next
-  /// setLuminaires(), as that of a single one does its sweeps (Pace). Where one has a body, what it shades of the others is computed anew, between
+  /// setLuminaires(). Where one has a body, what it shades of the others is computed anew, between
   /// where it was and where it is. What differs in gain and colour alone takes no direct light.
   /// Times hold the stages in ms.
   StageTimes move(std::span<const light::Emitter> emitters, light::DirectCounts* counts = nullptr);
@@ -122,8 +122,7 @@ class Lighting {
     Column column;
     std::vector<light::MaskBlocker> body;
     bool direct = false;  ///< column.direct is there
-    bool rough = false;   ///< the rest of it as it is while something moves
-    bool ready = false;   ///< all of the column as it is at rest
+    bool ready = false;   ///< all of the column is
   };
   void compute(std::size_t i);
   [[nodiscard]] std::optional<Planes> under(const Solver& painted, const Planes& thrown,

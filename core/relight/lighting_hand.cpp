@@ -42,7 +42,8 @@ std::vector<Box> Lighting::takeBodies(std::span<const light::Emitter> emitters) 
       if (!entry.body.empty()) changed.push_back(boxOf(entry.body));
     }
     if (!same) {
-      entry.direct = entry.rough = entry.ready = false;
+      entry.direct = false;
+      entry.ready = false;
     }
     emitters_[hand_[k]] = emitters[k];
   }
@@ -58,7 +59,7 @@ StageTimes Lighting::move(std::span<const light::Emitter> emitters, light::Direc
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       // What is not lit now waits until it is.
       if (std::ranges::find(moving_, i) == moving_.end()) entries_[i].direct = false;
-      entries_[i].rough = entries_[i].ready = false;
+      entries_[i].ready = false;
     }
   }
   for (const std::size_t i : moving_) {
@@ -76,17 +77,15 @@ StageTimes Lighting::move(std::span<const light::Emitter> emitters, light::Direc
   std::vector<WeightedColumn> own;
   if (moving_.size() == 1 && emitters_[moving_.front()].gain > 0.0) {
     Entry& entry = entries_[moving_.front()];
-    if (!entry.ready && !entry.rough) {
-      solver_->indirect(entry.column, open, nullptr, &times, Pace::moving);
-    }
-    entry.rough = true;
+    if (!entry.ready) solver_->indirect(entry.column, open, nullptr, &times);
+    entry.ready = true;
     own.push_back({&entry.column, weight(moving_.front())});
   } else {
     for (const std::size_t i : moving_) {
       if (emitters_[i].gain <= 0.0) continue;
       together.add(entries_[i].column, emitters_[i].gain, emitters_[i].color, solver_->operators());
     }
-    together.reflect(*solver_, open, Pace::moving, &times);
+    together.reflect(*solver_, open, &times);
     own = together.lights();
   }
   const auto start = std::chrono::steady_clock::now();

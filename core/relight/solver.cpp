@@ -314,7 +314,7 @@ void Solver::coarseIndirect(Column& column, std::span<const float> open,
 }
 
 void Solver::indirect(Column& column, std::span<const float> open, std::vector<vec4>* source,
-                      StageTimes* times, Pace pace) const {
+                      StageTimes* times) const {
   const transfer::Operators& op = *operators_;
   if (op.nodes.functions == 0) return;
   if (op.coarse) {
@@ -335,9 +335,7 @@ void Solver::indirect(Column& column, std::span<const float> open, std::vector<v
   if (times != nullptr) times->nodes += lap.ms();
   addFromNodes(sent, column.skeleton);
   if (times != nullptr) times->gather += lap.ms();
-  if (pace == Pace::at_rest) {
-    for (int k = 0; k < sweeps_; ++k) sweep(column, open);
-  }
+  for (int k = 0; k < sweeps_; ++k) sweep(column, open);
   if (times != nullptr) times->sweep += lap.ms();
   if (source != nullptr) radiosityOf(column, open, *source);
 }

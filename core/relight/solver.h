@@ -35,16 +35,12 @@ struct StageTimes {
   double first_bounce = 0;  ///< texels -> skeletons -> texels
   double nodes = 0;         ///< all further bounces at node level
   double gather = 0;        ///< nodes -> skeletons
-  double sweep = 0;         ///< at rest: all bounces so far once more, texels -> skeletons
+  double sweep = 0;         ///< all bounces so far once more, texels -> skeletons
   double interpolate = 0;   ///< skeletons -> every display point, with the rest (light_sum.h)
   [[nodiscard]] double total() const {
     return direct + first_bounce + nodes + gather + sweep + interpolate;
   }
 };
-
-/// How far reflected light is taken: while something moves as far as nodes know it; at rest the
-/// solver's sweeps from texel to texel follow (Solver::indirect()).
-enum class Pace : std::uint8_t { moving, at_rest };
 
 /// Everything that depends on geometry and reflectances but not on luminaires. Thread-compatible:
 /// const members may run at the same time.
@@ -91,13 +87,13 @@ class Solver {
   ///   x1 = rho E;  y1 = G x1;  e1 = W y1                 first bounce, texel by texel
   ///   b1 = R(rho e1);  e2+ = all further bounces         node level (node_solver.h)
   ///   skeleton = y1 + G_n (b1 + M e2+)
-  ///   skeleton = G rho (E + W skeleton)                 sweeps() times at Pace::at_rest
+  ///   skeleton = G rho (E + W skeleton)                 sweeps() times
   ///
   /// Nodes know no more than a linear function on a patch, and in a gap or under a desk most of
-  /// what is seen is the dark part of patches that reach out of it: without sweeps such places are a
-  /// fifth too bright (README.md).
+  /// what is seen is the dark part of patches that reach out of it: without sweeps such places are
+  /// a fifth too bright (README.md).
   void indirect(Column& column, std::span<const float> open, std::vector<vec4>* source = nullptr,
-                StageTimes* times = nullptr, Pace pace = Pace::at_rest) const;
+                StageTimes* times = nullptr) const;
   void useSweeps(int count) { sweeps_ = count; }
   [[nodiscard]] int sweeps() const { return sweeps_; }
 
@@ -133,7 +129,8 @@ class Solver {
                    std::span<transfer::PatchLight> sent) const;
   void addFromNodes(std::span<const transfer::PatchLight> sent, std::vector<vec4>& y) const;
   [[nodiscard]] vec4 conservingScale(const dvec3& sent, std::span<const vec4> y) const;
-  /// One step of x = rho (E + W G x) from texel to texel. Linear: what is interpolated below 0 stays.
+  /// One step of x = rho (E + W G x) from texel to texel. Linear: what is interpolated below 0
+  /// stays.
   void sweep(Column& column, std::span<const float> open) const;
   void radiosityOf(const Column& column, std::span<const float> open,
                    std::vector<vec4>& source) const;

@@ -25,6 +25,9 @@ constexpr double kBoxRay = 103e-9;
 constexpr double kPerTriangle = 8.81e-5;  ///< s: laying out
 constexpr double kPerNearRay = 1.205;     ///< in times of a ray: nodes and training fields
 constexpr double kPerListRay = 0.308;     ///< likewise, per texel and ray of a list
+/// s per near ray and training light beyond those of the fits.
+constexpr double kPerTraining = 2.5e-9;
+constexpr double kTrainings = 96.0;
 constexpr double kPerTexel = 6.24e-5;     ///< s
 constexpr double kPerRay = 4.64e-8;       ///< s beside the tracing
 constexpr double kBytesPerTexel = 585.0;  ///< with the interactive quality's lists
@@ -129,9 +132,11 @@ BakeForecast forecastBake(const StaticScene& scene, const BakeSettings& settings
                       static_cast<double>(settings.field_rays) * settings.field_rays;
   const double list = static_cast<double>(settings.list_rays) * settings.list_rays;
   const double lists = settings.lists / kListShare;
+  const double more_trainings = std::max(settings.trainings - kTrainings, 0.0);
   const double seconds =
       machine * (kPerTriangle * static_cast<double>(scene.mesh->triangles.size()) +
-                 texels * (kPerTexel + kPerRay * (near + settings.lists * list))) +
+                 texels * (kPerTexel + kPerRay * (near + settings.lists * list) +
+                           kPerTraining * near * more_trainings)) +
       ray * texels * (kPerNearRay * near + kPerListRay * lists * list);
   forecast.seconds = seconds / std::max(threads, 1);
 

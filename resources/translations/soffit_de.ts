@@ -803,6 +803,14 @@
         <source>Cube maps alone</source>
         <translation>Nur Würfelbilder</translation>
     </message>
+    <message>
+        <source>Reflections from point to point</source>
+        <translation>Reflexionen von Punkt zu Punkt</translation>
+    </message>
+    <message>
+        <source>Once more between all points, for what patches are too coarse for</source>
+        <translation>Noch einmal zwischen allen Punkten, wofür Flächenstücke zu grob sind</translation>
+    </message>
 </context>
 <context>
     <name>soffit::ui::AboutDialog</name>
@@ -3813,6 +3821,14 @@
     <message>
         <source>%1 MB, %2 ms</source>
         <translation>%1 MB, %2 ms</translation>
+    </message>
+    <message>
+        <source>From point to point</source>
+        <translation>Von Punkt zu Punkt</translation>
+    </message>
+    <message>
+        <source>All reflections once more between all points, for what patches are too coarse for</source>
+        <translation>Alle Reflexionen noch einmal zwischen allen Punkten, wofür Flächenstücke zu grob sind</translation>
     </message>
 </context>
 <context>

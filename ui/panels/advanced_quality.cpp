@@ -26,7 +26,7 @@ struct Words {
 };
 
 /// What the settings mean to people.
-std::array<Words, 16> words() {
+std::array<Words, 17> words() {
   const auto tr = [](const char* text) { return AdvancedQuality::tr(text); };
   return {
       {{"texels", tr("Points"), tr("Where light is computed and sent on")},
@@ -42,6 +42,8 @@ std::array<Words, 16> words() {
        {"lists", tr("Gather points per point, at most"), {}},
        {"tolerance", tr("What a gather point must tell"),
         tr("One that tells less than this share of the mean is left out")},
+       {"sweeps", tr("Reflections from point to point"),
+        tr("Once more between all points, for what patches are too coarse for")},
        {"sensor_rays", tr("Rays per calculation point, squared"),
         tr("Noise of values on work planes")},
        {"bands", tr("Bands of harmonics"), tr("Sharper shadows and more ringing with more")},

@@ -23,7 +23,7 @@ namespace soffit::ui {
 namespace {
 
 constexpr std::array kPresets{"draft", "interactive", "final"};
-constexpr std::size_t kStages = 5;
+constexpr std::size_t kStages = 6;
 constexpr std::uint64_t kRaysAvoided = 64;  ///< per point, as `soffit bench` counts them
 
 QString sentence(const std::string& text) {
@@ -33,7 +33,7 @@ QString sentence(const std::string& text) {
 }
 
 std::array<double, kStages + 1> stagesOf(const relight::StageTimes& t) {
-  return {t.direct, t.first_bounce, t.nodes, t.gather, t.interpolate, t.total()};
+  return {t.direct, t.first_bounce, t.nodes, t.gather, t.sweep, t.interpolate, t.total()};
 }
 
 }  // namespace
@@ -72,6 +72,8 @@ QualityPanel::QualityPanel(QWidget* parent)
   row(update_, tr("First reflection"), tr("From every point, by precomputed rays"));
   row(update_, tr("All further reflections"), tr("Solved to a residual, not counted in bounces"));
   row(update_, tr("Gathering them"), tr("From patches to where light differs"));
+  row(update_, tr("From point to point"),
+      tr("All reflections once more between all points, for what patches are too coarse for"));
   row(update_, tr("All points"), tr("Interpolated with precomputed weights"));
   row(update_, tr("Together"), {});
   visibility_ = section(tr("Shadows of the last move"));
