@@ -84,7 +84,7 @@ Choice measure(const relight::QualitySettings& settings, std::uint64_t seed) {
   relight::Lighting lighting(solver);
   EXPECT_TRUE(lighting.setLuminaires(room().luminaires, {}));
   Choice choice;
-  choice.move = moveTaps(solver->operators());
+  choice.move = moveTaps(solver->operators(), solver->sweeps());
   choice.bake = static_cast<double>(report.bake.rays);
   ErrorSamples samples;
   const auto lights = readSurfaces(lighting, reference().receivers);
@@ -132,6 +132,7 @@ relight::QualitySettings changed(relight::QualitySettings q, const Factors& fact
     if (name == "trainings") times(b.trainings, factor);
     if (name == "max_rank") times(b.max_rank, factor);
     if (name == "lists") times(b.lists, factor);
+    if (name == "sweeps") times(q.sweeps, factor);
     if (name == "tolerance") times(b.tolerance, factor);
     if (name == "node_rays") times(b.node_rays, std::sqrt(factor));
     if (name == "field_rays") times(b.field_rays, std::sqrt(factor));
@@ -189,6 +190,7 @@ std::string whatBeats(const relight::QualitySettings& settings) {
                                         {{"max_rank", 0.5}},
                                         {{"lists", 0.5}},
                                         {{"tolerance", 2.0}},
+                                        {{"sweeps", 0.0}},
                                         {{"texels", 0.5}, {"list_rays", 2.0}},
                                         {{"texels", 0.5}, {"field_rays", 2.0}},
                                         {{"list_rays", 0.5}, {"lists", 2.0}},
@@ -220,7 +222,7 @@ TEST(PresetFront, WhatIsOutOfProportionIsBeaten) {
   // Most rays go to the nodes, where they tell little, few to the fields that train the weights.
   relight::QualitySettings lopsided = preset("interactive", 1600);
   lopsided.bake.node_rays = 24;
-  lopsided.bake.field_rays = 4;
+  lopsided.bake.field_rays = 3;
   Measured quality(lopsided);
   const std::string how = beatenBy(quality, {{"node_rays", 0.5}, {"field_rays", 2.0}});
   EXPECT_NE(how, "");
